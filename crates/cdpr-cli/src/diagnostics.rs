@@ -34,7 +34,7 @@ pub(crate) fn failure(failure: &Failure, has_colour: bool) -> String {
     failure_text(failure, &Colours::of(has_colour))
 }
 
-/// Something that does not stop the command, as people read it.
+/// A remark, which stops no command, as people read it.
 pub(crate) fn remark(text: &str, has_colour: bool) -> String {
     let Colours { remark, reset, .. } = Colours::of(has_colour);
     format!("{remark}note{reset}: {text}\n")

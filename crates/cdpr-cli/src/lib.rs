@@ -57,6 +57,9 @@ struct CommandLine {
     options: GlobalOptions,
 }
 
+/// Characters in a line of help at most, as the parser has them.
+const HELP_WIDTH: usize = 100;
+
 const EXAMPLES: &str = "\
 Examples:
   cdpr robots
@@ -81,7 +84,7 @@ Examples:
 pub fn run(arguments: impl IntoIterator<Item = OsString>, out: &mut dyn Stream, err: &mut dyn Stream) -> ExitCode {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     let words: Vec<String> = arguments.iter().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
-    let matches = CommandLine::command().try_get_matches_from(&arguments);
+    let matches = grouped(out.width()).try_get_matches_from(&arguments);
     let parsed = matches.and_then(|matches| Ok((CommandLine::from_arg_matches(&matches)?, matches)));
     let (CommandLine { command, options }, matches) = match parsed {
         Ok(parsed) => parsed,
@@ -108,6 +111,17 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, out: &mut dyn Stream, 
         }
         None => output.fail(&failure),
     })
+}
+
+/// The command line whose help lists its subcommands in groups, for a terminal of this width.
+fn grouped(width: Option<usize>) -> clap::Command {
+    let command = CommandLine::command();
+    let header = command.get_styles().get_header();
+    let subcommands = commands::listed(&command, width.unwrap_or(HELP_WIDTH).min(HELP_WIDTH));
+    let template = format!(
+        "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{subcommands}{header}Options:{header:#}\n{{options}}{{after-help}}"
+    );
+    command.help_template(template)
 }
 
 /// `ROBOT` as it was given, a file or a name, of a command that takes one.

@@ -45,19 +45,23 @@ mod tension;
 mod test_bench;
 mod workspace;
 
-/// One line per subcommand: its file and its name; the arguments and the help are in the file.
+/// One line per subcommand, under the heading of `cdpr --help` that it stands under: its file and its name; the arguments and the help
+/// are in the file.
 macro_rules! commands {
-    ($($module:ident: $name:ident,)*) => {
+    ($($heading:literal { $($module:ident: $name:ident,)* })*) => {
         #[derive(Debug, clap::Subcommand)]
         pub(crate) enum Command {
-            $($name($module::Arguments),)*
+            $($($name($module::Arguments),)*)*
         }
+
+        /// Headings of `cdpr --help` with the files of their subcommands.
+        const HEADINGS: &[(&str, &[&str])] = &[$(($heading, &[$(stringify!($module)),*])),*];
 
         impl Command {
             /// Runs the subcommand; the answer goes to `output`.
             pub(crate) fn run(self, output: &mut Output) -> Result<ExitCode, Failure> {
                 match self {
-                    $(Self::$name(arguments) => $module::run(arguments, output),)*
+                    $($(Self::$name(arguments) => $module::run(arguments, output),)*)*
                 }
             }
         }
@@ -65,42 +69,109 @@ macro_rules! commands {
 }
 
 commands! {
-    robots: Robots,
-    new: New,
-    check: Check,
-    ik: Ik,
-    fk: Fk,
-    tension: Tension,
-    load: Load,
-    stiffness: Stiffness,
-    dynamics: Dynamics,
-    modes: Modes,
-    workspace: Workspace,
-    model: Model,
-    advise: Advise,
-    place_pulleys: PlacePulleys,
-    select: Select,
-    plan: Plan,
-    accuracy: Accuracy,
-    study: Study,
-    chain: Chain,
-    benchmark: Benchmark,
-    campaign: Campaign,
-    reachable: Reachable,
-    initial_tension: InitialTension,
-    sweep: Sweep,
-    sensitivity: Sensitivity,
-    simulate: Simulate,
-    run: Run,
-    demo: Demo,
-    identify: Identify,
-    evaluate: Evaluate,
-    compensate: Compensate,
-    test_bench: TestBench,
-    import: Import,
-    export: Export,
-    schema: Schema,
-    explain: Explain,
-    completions: Completions,
-    man: Man,
+    "Robots" {
+        robots: Robots,
+        new: New,
+        check: Check,
+        place_pulleys: PlacePulleys,
+        import: Import,
+    }
+    "One pose" {
+        ik: Ik,
+        fk: Fk,
+        tension: Tension,
+        load: Load,
+        stiffness: Stiffness,
+        dynamics: Dynamics,
+        modes: Modes,
+        model: Model,
+    }
+    "Workspace" {
+        workspace: Workspace,
+        reachable: Reachable,
+        sweep: Sweep,
+    }
+    "A control model on a machine" {
+        advise: Advise,
+        accuracy: Accuracy,
+        study: Study,
+        sensitivity: Sensitivity,
+        initial_tension: InitialTension,
+        benchmark: Benchmark,
+        chain: Chain,
+    }
+    "Measurements and calibration" {
+        demo: Demo,
+        plan: Plan,
+        simulate: Simulate,
+        identify: Identify,
+        select: Select,
+        evaluate: Evaluate,
+        compensate: Compensate,
+        campaign: Campaign,
+        test_bench: TestBench,
+    }
+    "A machine in time" {
+        run: Run,
+    }
+    "Files and help" {
+        export: Export,
+        schema: Schema,
+        explain: Explain,
+        completions: Completions,
+        man: Man,
+    }
+}
+
+/// Subcommands in groups with a line each, as `cdpr --help` lists them.
+pub(crate) fn listed(command: &clap::Command, width: usize) -> String {
+    let header = command.get_styles().get_header();
+    let name = command.get_styles().get_literal();
+    let longest = command.get_subcommands().map(|own| own.get_name().len()).max().unwrap_or(0);
+    let mut text = String::new();
+    for (heading, modules) in HEADINGS {
+        text.push_str(&format!("{header}{heading}:{header:#}\n"));
+        for module in *modules {
+            let word = module.replace('_', "-");
+            let about = command.find_subcommand(&word).and_then(|own| own.get_about()).map(ToString::to_string);
+            let indent = longest + 4;
+            let lines = filled(&about.unwrap_or_default(), width.saturating_sub(indent));
+            let padding = " ".repeat(longest - word.len() + 2);
+            let about = lines.join(&format!("\n{}", " ".repeat(indent)));
+            text.push_str(&format!("  {name}{word}{name:#}{padding}{about}\n"));
+        }
+        text.push('\n');
+    }
+    text
+}
+
+/// Words in lines of at most this many characters, unless one word is longer.
+fn filled(text: &str, width: usize) -> Vec<String> {
+    let mut lines: Vec<String> = Vec::new();
+    for word in text.split_whitespace() {
+        match lines.last_mut().filter(|line| line.chars().count() + 1 + word.chars().count() <= width) {
+            Some(line) => line.extend([" ", word]),
+            None => lines.push(word.to_owned()),
+        }
+    }
+    lines
+}
+
+#[cfg(test)]
+mod tests {
+    use clap::CommandFactory;
+
+    use super::*;
+    use crate::CommandLine;
+
+    #[test]
+    fn every_subcommand_is_listed_under_one_heading_and_lines_keep_the_width() {
+        let command = CommandLine::command();
+        let words: Vec<String> =
+            HEADINGS.iter().flat_map(|(_, modules)| modules.iter().map(|module| module.replace('_', "-"))).collect();
+        assert!(command.get_subcommands().map(clap::Command::get_name).eq(words.iter().map(String::as_str)));
+        let plain = listed(&command.styles(clap::builder::Styles::plain()), 60);
+        assert!(plain.lines().all(|line| line.chars().count() <= 60), "{plain}");
+        assert!(plain.contains("\nOne pose:\n  ik               Inverse kinematics: cable lengths,\n"), "{plain}");
+    }
 }
