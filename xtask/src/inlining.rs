@@ -30,7 +30,7 @@ const PLACES: &[Place] = &[
     Place { path: "crates/cdpr-model/src/geometry/pose_batch.rs", reason: LANES },
     Place { path: "crates/cdpr-model/src/model/batch/", reason: LANES },
     Place { path: "crates/cdpr-model/src/model/kinematics.rs", reason: COUNTED },
-    Place { path: "crates/cdpr-model/src/scalar/", reason: COUNTED },
+    Place { path: "crates/cdpr-model/src/scalar/", reason: LANES },
     Place { path: "crates/cdpr-model/src/tension/quadratic/fixed.rs", reason: LANES },
     Place { path: "crates/cdpr-model/src/tension/quadratic/plane.rs", reason: COUNTED },
     Place { path: "crates/cdpr-calibration/src/blocks.rs", reason: LANES },

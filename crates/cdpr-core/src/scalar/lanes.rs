@@ -41,10 +41,11 @@ pub trait Lanes: Select {
 
 /// A computation over [`Lanes`]: its inputs are its fields, so that it can be handed to any vector unit.
 ///
-/// `run` and everything below it must be `#[inline(always)]`, otherwise every operation becomes a call (thirty
-/// times slower). Closures cannot be marked so: write loops, and keep operations on lanes out of `map`,
-/// `array::from_fn` and the like. Go through arrays of lanes by index or by reference: taken by value, each entry is an
-/// `Option` in memory for a moment, written and read back in pieces (five times slower).
+/// `run` and every function below it that takes, gives or holds lanes must be `#[inline(always)]`, otherwise every
+/// operation becomes a call (thirty times slower); functions of single numbers need not. Closures cannot be marked so:
+/// write loops, and keep operations on lanes out of `map`, `array::from_fn` and the like. Go through arrays of lanes by
+/// index or by reference: taken by value, each entry is an `Option` in memory for a moment, written and read back in
+/// pieces (five times slower).
 ///
 /// ```
 /// use cdpr_core::scalar::{Kernel, LANES, Lanes, Real, dispatch};
