@@ -226,7 +226,7 @@ impl<'a> State<'a> {
     }
 
     /// Starts from limits that were active before, less those that push the wrong way; `nearest` is the point without limits.
-    #[inline(always)]
+    #[inline]
     fn resume(&mut self, known: &[Bound], nearest: &Block, limits: &Limits) {
         for &bound in known.iter().take(2) {
             let normal = self.normal(bound);
