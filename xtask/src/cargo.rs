@@ -55,6 +55,57 @@ pub(crate) fn count_tests(root: &Path, arguments: &[&str]) -> Outcome {
     outcome
 }
 
+/// A program of tests that cargo has built.
+#[derive(Debug, PartialEq)]
+pub(crate) struct TestProgram {
+    /// Package whose tests it has.
+    pub(crate) package: String,
+    /// Folder of the package, from which it is started.
+    pub(crate) folder: PathBuf,
+    /// The program.
+    pub(crate) path: PathBuf,
+}
+
+/// Builds programs of tests without running them, and tells where they are.
+pub(crate) fn test_programs(root: &Path, tests: &[&str]) -> Result<Vec<TestProgram>, String> {
+    let arguments = [tests, &["--no-run", "--message-format=json-render-diagnostics"]].concat();
+    println!("$ cargo {}", arguments.join(" "));
+    let output = command(root, &arguments).stderr(Stdio::inherit()).output();
+    let output = output.map_err(|error| format!("cannot start cargo: {error}"))?;
+    let text = String::from_utf8_lossy(&output.stdout);
+    if !output.status.success() {
+        return Err(format!("`cargo {}` failed", tests.join(" ")));
+    }
+    Ok(text.lines().filter_map(|message| test_program(root, message)).collect())
+}
+
+/// The program that a message of cargo is about; `None` where it is about something else.
+fn test_program(root: &Path, message: &str) -> Option<TestProgram> {
+    let field = |name: &str| message.split_once(&format!("\"{name}\":\"")).and_then(|(_, rest)| rest.split_once('"'));
+    let (path, (manifest, _)) = (field("executable")?.0, field("manifest_path")?);
+    let folder = Path::new(manifest).parent()?;
+    let package = folder.file_name()?.to_string_lossy().into_owned();
+    Some(TestProgram { package, folder: root.join(folder), path: PathBuf::from(path) })
+}
+
+/// Runs a program of tests and counts those that passed and failed; the names of those that failed are shown.
+pub(crate) fn run_tests(program: &TestProgram) -> Outcome {
+    let name = program.path.file_name().unwrap_or_default().to_string_lossy().into_owned();
+    let output = Command::new(&program.path).arg("--quiet").current_dir(&program.folder).output();
+    let output = match output {
+        Ok(output) => output,
+        Err(error) => return Outcome::of(vec![format!("cannot start {name}: {error}")]),
+    };
+    let text = String::from_utf8_lossy(&output.stdout);
+    let (passed, failed) = text.lines().filter_map(test_result).fold((0, 0), |sum, of| (sum.0 + of.0, sum.1 + of.1));
+    println!("{} ({name}): {passed} passed, {failed} failed", program.package);
+    if output.status.success() {
+        return Outcome { passed, failed, complaints: Vec::new() };
+    }
+    print!("{text}{}", String::from_utf8_lossy(&output.stderr));
+    Outcome { passed, failed: failed.max(1), complaints: vec![format!("tests of {} failed", program.package)] }
+}
+
 /// Builds for release what needs no dependency of tests: the command as users get it with its library, the program whose instructions are
 /// counted, and the examples. Together with the tests of the library their dependencies would have features that users do not get.
 pub(crate) const RELEASE: &[&str] = &[

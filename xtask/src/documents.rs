@@ -9,6 +9,13 @@ pub(crate) const BOOK_ROOT: &str = "docs/book";
 
 const BOOK: &str = "docs/book/src";
 
+/// Pages that name files of the workspace in code, so that readers find them.
+const GUIDES: &[&str] = &["ARCHITECTURE.md", "CONTRIBUTING.md"];
+
+/// Folders that a path in code begins with.
+const FOLDERS: &[&str] =
+    &["benches/", "crates/", "docs/", "examples/", "fuzz/", "judges/", "schemas/", "studies/", "viewer/", "xtask/"];
+
 /// Complains of links and includes that lead nowhere, and of pages that SUMMARY.md forgets.
 pub(crate) fn check(root: &Path) -> Outcome {
     let mut pages = markdown_files(&root.join("docs"));
@@ -18,7 +25,11 @@ pub(crate) fn check(root: &Path) -> Outcome {
     for page in &pages {
         let name = page.strip_prefix(root).unwrap_or(page).display().to_string();
         match std::fs::read_to_string(page) {
-            Ok(text) => complaints.extend(dead_targets(page, &text).into_iter().map(|dead| format!("{name}{dead}"))),
+            Ok(text) => {
+                let paths = if GUIDES.contains(&name.as_str()) { lost_paths(root, &text) } else { Vec::new() };
+                let dead = dead_targets(page, &text).into_iter().chain(paths);
+                complaints.extend(dead.map(|dead| format!("{name}{dead}")));
+            }
             Err(error) => complaints.push(format!("{name}: {error}")),
         }
     }
@@ -52,6 +63,19 @@ fn dead_targets(page: &Path, text: &str) -> Vec<String> {
         }
     }
     dead
+}
+
+/// `:line: what` for every path in code that the workspace does not have.
+fn lost_paths(root: &Path, text: &str) -> Vec<String> {
+    let mut lost = Vec::new();
+    for (number, line) in (1..).zip(text.lines()) {
+        let code = line.split('`').skip(1).step_by(2);
+        let paths = code
+            .filter(|code| FOLDERS.iter().any(|folder| code.starts_with(folder)) && !code.contains([' ', '*', '{']));
+        let lost_here = paths.filter(|path| !root.join(path).exists());
+        lost.extend(lost_here.map(|path| format!(":{number}: there is no `{path}`")));
+    }
+    lost
 }
 
 /// Targets of `{{#include …}}` in a line.
@@ -134,5 +158,13 @@ mod tests {
         let folder = Path::new("src");
         let pages = [folder.join("SUMMARY.md"), folder.join("a.md"), folder.join("b.md")];
         assert_eq!(forgotten_pages(folder, &pages, "- [A](a.md)"), ["docs/book/src/SUMMARY.md does not list b.md"]);
+    }
+
+    #[test]
+    fn paths_in_code_exist() {
+        let root = Path::new(concat!(env!("CARGO_MANIFEST_DIR"), "/.."));
+        let lost =
+            lost_paths(root, "`xtask/src/main.rs` and `cargo xtask test`\nand `crates/nowhere/src/`, `crates/*/src`\n");
+        assert_eq!(lost, [":2: there is no `crates/nowhere/src/`"]);
     }
 }

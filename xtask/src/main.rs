@@ -23,6 +23,7 @@ mod notices;
 mod outcome;
 mod packages;
 mod programs;
+mod quick;
 mod sentences;
 mod signatures;
 mod soak;
@@ -37,6 +38,7 @@ Usage: cargo xtask TASK
 Tasks:
   test                 everything a change has to pass, cheapest steps first; stops at the first failure
   test --only STEP     one step of it
+  quick                gates, clippy, and the tests of crates that differ from HEAD and of those that stand on them; --since COMMIT
   steps                the steps of `test`
   soak --minutes N     random tests with fresh seeds for N minutes; --seed S begins where an earlier run did
   soak --poseless N    calibrations without measured poses of N seeds, judged by SciPy; --seed S begins there
@@ -61,6 +63,8 @@ fn main() -> ExitCode {
     let result = match arguments.as_slice() {
         ["test"] => steps::run(&root, None),
         ["test", "--only", step] => steps::run(&root, Some(step)),
+        ["quick"] => quick::run(&root, "HEAD"),
+        ["quick", "--since", commit] => quick::run(&root, commit),
         ["soak", wishes @ ..] => soak::run(&root, wishes),
         ["steps"] => {
             steps::list();

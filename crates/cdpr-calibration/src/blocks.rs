@@ -147,7 +147,7 @@ impl Block {
         (residuals, columns)
     }
 
-    /// Places of the parameters in a row of derivatives; nothing where the row has places of drums or further ones.
+    /// Places of the parameters in a row of derivatives; `None` if the row has places of drums or further ones.
     pub(super) fn places_of_lengths(&self) -> Option<&[usize]> {
         let is_known = self.recorder.is_none() && self.slots.iter().all(|&slot| slot < LENGTH_SLOTS);
         is_known.then_some(&*self.slots)

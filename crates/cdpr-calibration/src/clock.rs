@@ -34,7 +34,7 @@ pub struct ClockOffset {
 /// Cost of the best fit to samples.
 pub(super) type Cost<'a> = &'a dyn Fn(&Samples) -> Option<f64>;
 
-/// The offset of least cost; none where there are no times or too few samples, no minimum is found, or the first step promises to explain less than
+/// The offset of least cost; `None` if there are no times or too few samples, no minimum is found, or the first step promises to explain less than
 /// a share of the variance. The model gives the size of the residuals; `parameters` are fitted for every cost.
 pub(super) fn best_offset(
     model: &Model,

@@ -162,7 +162,7 @@ pub(super) fn optimum_of(
     })
 }
 
-/// Cost of the optimum from the values of a model, data and priors together; none where there is no fit.
+/// Cost of the optimum from the values of a model, data and priors together; `None` if there is no fit.
 pub(super) fn least_cost(model: &Model, samples: &Samples, free: &FreeParameters, settings: &Settings) -> Option<f64> {
     let settings = Settings { starts: 1, ..settings.clone() };
     optimal_parameters(model, samples, free, &settings).ok()?.history.last().copied()

@@ -10,7 +10,7 @@ const LARGEST_SHARE: f64 = 0.01;
 /// Largest mean error, as a multiple of the stated accuracy.
 const LARGEST_MULTIPLE: f64 = 5.0;
 
-/// Reasons not to trust a model with its errors; none where they are empty.
+/// Reasons not to trust a model with its errors; empty if they are empty.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Distrust {
     /// A sentence each.

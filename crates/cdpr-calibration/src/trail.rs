@@ -38,7 +38,7 @@ impl Trail {
         Self { costs, ..self.then(further) }
     }
 
-    /// The places; none where they are not kept.
+    /// The places; empty if they are not kept.
     pub(super) fn places(&self) -> &[Vec<f64>] {
         self.places.as_deref().unwrap_or_default()
     }

@@ -11,7 +11,7 @@ use crate::session;
 /// How long work may take before anything is shown.
 const PATIENCE: Duration = Duration::from_secs(1);
 
-/// A line on stderr that appears after a second and goes when this value goes; nothing where stderr is not a terminal or
+/// A line on stderr that appears after a second and goes when this value goes; it does not appear if stderr is no terminal or
 /// quiet was asked for.
 pub(crate) struct Progress {
     bar: ProgressBar,

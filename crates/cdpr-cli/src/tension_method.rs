@@ -175,7 +175,7 @@ impl Wishes {
         }
     }
 
-    /// Length by which moments are divided (m); none where the robot has none.
+    /// Length by which moments are divided (m); `None` if the robot has none.
     pub(crate) fn moment_length(&self, model: &Model) -> Option<f64> {
         let mut rows = model.twist_basis().iter().zip(&self.lengths);
         rows.find(|(twist, _)| is_turn(twist)).map(|(_, length)| *length)

@@ -32,7 +32,7 @@ const GAUSS: [(f64, f64); 5] = [
 ];
 
 impl Plant {
-    /// Energy of a state; nothing where tensions are no function of lengths alone: with hysteresis and with sag.
+    /// Energy of a state; `None` if tensions are no function of lengths alone: with hysteresis and with sag.
     pub fn energy(&self, state: &PlantState) -> Option<Energy> {
         if self.sags || state.cables.iter().any(|cable| cable.memory.is_some()) {
             return None;

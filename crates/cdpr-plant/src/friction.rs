@@ -22,7 +22,7 @@ pub(super) struct Friction {
 }
 
 impl Friction {
-    /// Friction that the robot file states; none where it is silent, of pulleys where the model has none.
+    /// Friction that the robot file states; zero if it states none, of pulleys if the model has none.
     pub(super) fn of(cable: &Cable, has_pulley: bool) -> Self {
         let coulomb = cable.winch.coulomb_friction.unwrap_or(0.0);
         Self {

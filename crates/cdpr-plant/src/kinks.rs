@@ -155,7 +155,7 @@ impl Plant {
     }
 }
 
-/// Place of the extremum that lies on the other side of zero than both ends, of the parabola through ends and middle; nothing where there is none.
+/// Place of the extremum that lies on the other side of zero than both ends, of the parabola through ends and middle; `None` if there is none.
 #[inline]
 fn turn(start: f64, middle: f64, end: f64) -> Option<f64> {
     // the kick in the middle stands where a constant acceleration has led its pose too far

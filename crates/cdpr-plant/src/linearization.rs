@@ -159,7 +159,7 @@ impl Plant {
         Ok(())
     }
 
-    /// The cable at its lengths with all derivatives; nothing where it is slack.
+    /// The cable at its lengths with all derivatives; `None` if it is slack.
     fn pull_of(&self, state: &PlantState, cable: usize) -> Result<Option<CableState>, PlantError> {
         let motion = &state.cables[cable];
         if !self.sags && !(state.pulls.laws[cable].tension > 0.0) {
@@ -182,7 +182,7 @@ impl Linearization {
         self.mass.nrows()
     }
 
-    /// A of ẏ = A y + B u with y = \[δz; δż\]; nothing where the mass matrix is singular.
+    /// A of ẏ = A y + B u with y = \[δz; δż\]; `None` if the mass matrix is singular.
     pub fn system_matrix(&self) -> Option<DMatrix<f64>> {
         let size = self.size();
         let inverse = self.mass.clone().try_inverse()?;
@@ -204,12 +204,12 @@ impl Linearization {
         Some(matrix)
     }
 
-    /// Eigenvalues of A (1/s); nothing where they cannot be found.
+    /// Eigenvalues of A (1/s); `None` if they cannot be found.
     pub fn eigenvalues(&self) -> Option<Vec<Complex<f64>>> {
         eigenvalues(self.system_matrix()?)
     }
 
-    /// Largest sensible step of [`Plant::step`] (s), by the fastest motion; nothing where there is none.
+    /// Largest sensible step of [`Plant::step`] (s), by the fastest motion; `None` if there is none.
     pub fn largest_step(&self) -> Option<f64> {
         self.fastest().filter(|fastest| *fastest > 0.0).map(sensible_step)
     }

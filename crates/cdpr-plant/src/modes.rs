@@ -29,7 +29,7 @@ pub struct Mode {
 }
 
 impl Linearization {
-    /// Modes of M δz̈ + K δz = 0, as many as there are degrees of freedom, slowest first; nothing where a mass is missing, or where the motion neither swings nor grows (constant moments may
+    /// Modes of M δz̈ + K δz = 0, as many as there are degrees of freedom, slowest first; `None` if a mass is missing, or where the motion neither swings nor grows (constant moments may
     /// make a stiffness so unsymmetric).
     pub fn modes(&self) -> Option<Vec<Mode>> {
         let lower = self.mass.clone().cholesky()?.l();

@@ -49,7 +49,7 @@ impl Damping {
         self.constant + self.time * stiffness
     }
 
-    /// Damping that the robot file states for a cable; none where it is silent.
+    /// Damping that the robot file states for a cable; zero if it states none.
     pub(super) fn of(cable: &Cable) -> Self {
         let constant = cable.damping.unwrap_or(0.0);
         Self { constant, time: cable.damping_time.unwrap_or(0.0) }

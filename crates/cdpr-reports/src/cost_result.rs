@@ -50,7 +50,7 @@ pub struct Cheapest {
     accuracy_m: f64,
     /// Values of the parameters.
     values: Vec<f64>,
-    /// Number of the calibration; nothing where none is as accurate.
+    /// Number of the calibration; `None` if none is as accurate.
     point: Option<usize>,
     price: Option<f64>,
     words: String,

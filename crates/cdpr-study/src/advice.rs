@@ -31,7 +31,7 @@ pub struct Candidate {
     /// Angle between commanded and emerging orientation (rad).
     pub rotation_error: PoseErrorStatistics,
     /// Emerging tensions minus those that a control model like the machine brings about: mean over poses of the 2-norm (N);
-    /// nothing for a rigid machine.
+    /// `None` for a rigid machine.
     pub tension_error: Option<f64>,
     /// Poses at which the platform comes to rest.
     pub answered: usize,
@@ -59,7 +59,7 @@ pub struct Advice {
     pub compared: usize,
     /// Poses that at least one candidate reaches.
     pub attainable: usize,
-    /// Index of the simplest candidate that reaches as many poses as the one like the machine; nothing where that one reaches
+    /// Index of the simplest candidate that reaches as many poses as the one like the machine; `None` if that one reaches
     /// none.
     pub recommended: Option<usize>,
 }

@@ -26,12 +26,12 @@ pub struct Sample {
     pub commanded: Pose,
     /// Outcome on the machine.
     pub outcome: Outcome,
-    /// Displacement from the commanded to the emerging pose (m, rad; world axes); nothing where no answer was found.
+    /// Displacement from the commanded to the emerging pose (m, rad; world axes); `None` if no answer was found.
     pub exact: Option<Twist>,
-    /// The same by one linear step from the commanded pose; nothing where the machine cannot be held there or meets no
+    /// The same by one linear step from the commanded pose; `None` if the machine cannot be held there or meets no
     /// resistance.
     pub linear: Option<Twist>,
-    /// Residual wrench Aᵀ f + w of the cables held at the commanded pose (world; N, N·m), which moves the platform (eq. 3.23); nothing for
+    /// Residual wrench Aᵀ f + w of the cables held at the commanded pose (world; N, N·m), which moves the platform (eq. 3.23); `None` for
     /// a rigid machine, and where nothing is sent.
     pub residual_wrench: Option<Wrench>,
 }

@@ -20,7 +20,7 @@ pub enum PredictionError {
 
 impl Experiment {
     /// Errors with which the model of `[prediction]` tells from the lengths that were sent what emerges at these poses, sensors without
-    /// noise; nothing without such a model.
+    /// noise; `None` without such a model.
     pub fn predict(&self, poses: &[CommandedPose]) -> Result<Option<Evaluation>, PredictionError> {
         let Some(model) = &self.prediction else { return Ok(None) };
         let recorded = self.record_exactly(poses)?;

@@ -282,7 +282,7 @@ impl Reachable<'_> {
     }
 
     /// Applies `of` to commanded pose, emerging pose and tensions of each of many commands, in batches where the machine has
-    /// them; nothing where the machine has no answer. With `only_taut` those in which a cable hangs slack, which take ten times as
+    /// them; `None` if the machine has no answer. With `only_taut` those in which a cable hangs slack, which take ten times as
     /// long, may be left out.
     fn of_emerging<T>(
         &self,
@@ -316,7 +316,7 @@ impl Reachable<'_> {
         found
     }
 
-    /// Positions at which the platform comes to rest, as points of a region; nothing where the machine has no answer.
+    /// Positions at which the platform comes to rest, as points of a region; `None` if the machine has no answer.
     pub(crate) fn emerging_positions(&self, region: &Region<'_>, commanded: &[Pose]) -> Vec<Option<Point>> {
         self.of_emerging(commanded, false, |_, emerging, _| region.point(&emerging.position))
     }

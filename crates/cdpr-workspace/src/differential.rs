@@ -9,7 +9,7 @@ use super::{Point, Region};
 /// How fast the end of each ray moves with a parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
-    /// dρ/dp of each ray (m per unit of the parameter); nothing where the margin tells no rate, as where it has no end.
+    /// dρ/dp of each ray (m per unit of the parameter); `None` if the margin tells no rate, as where it has no end.
     pub rates: Vec<Option<f64>>,
 }
 

@@ -24,7 +24,7 @@ impl Balance {
         Ok(Self { linearization })
     }
 
-    /// Hands every entry over with its row and its column, none for residuals; nothing where the load is unknown.
+    /// Hands every entry over with its row and its column, none for residuals; `None` if the load is unknown.
     pub(crate) fn write(
         &self,
         model: &Model,

@@ -45,7 +45,7 @@ pub(super) struct At<'a> {
 }
 
 impl LinearRows {
-    /// Nothing where cables or parameters are others, or the robot is none of six degrees of freedom.
+    /// `None` if cables or parameters are others, or the robot is none of six degrees of freedom.
     pub(super) fn of(model: &Model, parameters: &[Parameter]) -> Option<Self> {
         let m = model.cable_count();
         let basis = |cable: usize| match model.law(cable).kind {
@@ -78,7 +78,7 @@ impl LinearRows {
         Some(Self { groups, columns, is_by_unstrained: first == StiffnessBasis::Unstrained })
     }
 
-    /// Writes the derivatives of all rows by the parameters of cables, and the expected lengths; the wrench of the cables, or nothing where a cable
+    /// Writes the derivatives of all rows by the parameters of cables, and the expected lengths; the wrench of the cables, or `None` if a cable
     /// has no path.
     pub(super) fn write(
         &self,

@@ -27,7 +27,7 @@ impl Noise {
         self.by_pose.len() - self.length.iter().filter(|&&sigma| sigma >= SLACK_SIGMA).count()
     }
 
-    /// Writes the Cholesky factor of N diag(σ²) Nᵀ to a row-major matrix, its diagonal inverted; nothing where a number is none. The triangle and
+    /// Writes the Cholesky factor of N diag(σ²) Nᵀ to a row-major matrix, its diagonal inverted; `None` if a number is none. The triangle and
     /// the columns of N are memory.
     pub(super) fn factor(
         &self,

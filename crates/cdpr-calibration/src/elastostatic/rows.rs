@@ -127,7 +127,7 @@ impl<'a> RowModel<'a> {
         }
     }
 
-    /// [`RowModel::write`] with cables in lanes; nothing where they are others, or lengths those of drums.
+    /// [`RowModel::write`] with cables in lanes; `None` if they are others, or lengths those of drums.
     fn write_linear(&self, pose: &Pose, tensions: &[f64], recorded: Recorded<'_>, rows: &mut SampleRows) -> Option<()> {
         let linear = self.linear.as_ref()?;
         let measured = recorded.measured_lengths()?;
@@ -216,7 +216,7 @@ impl<'a> RowModel<'a> {
     }
 }
 
-/// State of a cable (0-based) with a recorded tension (N) at a pose with these rows of its rotation; nothing where it has none.
+/// State of a cable (0-based) with a recorded tension (N) at a pose with these rows of its rotation; `None` if it has none.
 #[inline]
 pub(super) fn recorded_state(
     model: &Model,

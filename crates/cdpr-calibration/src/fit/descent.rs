@@ -169,7 +169,7 @@ impl<'a, const P: usize> Search<'a, P> {
         Some(-(0..self.count).map(|k| step[k] * equations.gradient[k]).sum::<f64>())
     }
 
-    /// A step that respects the bounds, and whether something cut it; nothing where the normal equations do not determine it.
+    /// A step that respects the bounds, and whether something cut it; `None` if the normal equations do not determine it.
     fn step(
         &self,
         change: &[f64; P],

@@ -37,7 +37,7 @@ pub(super) struct Optimum {
 #[derive(Clone, Debug, Default)]
 pub(super) struct Rounds {
     pub(super) count: u32,
-    /// End of the last descent; none without a robust loss.
+    /// End of the last descent; `None` without a robust loss.
     pub(super) stopped: Option<StoppedBy>,
     /// Loss and priors after each round of the last descent.
     pub(super) trail: Trail,

@@ -15,7 +15,7 @@ pub(super) struct Bends {
 }
 
 impl Bends {
-    /// Takes them at values where the vectors are `here`; nothing where vectors beside it do not exist. `memory` is written over.
+    /// Takes them at values where the vectors are `here`; `None` if vectors beside it do not exist. `memory` is written over.
     pub(super) fn of<V: Vectors>(
         vectors: &mut V,
         parameters: &[Parameter],

@@ -111,7 +111,7 @@ fn write_norms(stacked: &mut Stacked, smoothing: f64, equations: &mut DenseEquat
 }
 
 /// Standard deviations of parameters that a sum of norms leads to, from the scatter of what each sample pulls: diag(A⁻¹ B A⁻¹), A the second
-/// derivative and B = Σ g gᵀ with g = Jᵀr/‖r‖ (Huber 1967); nothing where A is singular.
+/// derivative and B = Σ g gᵀ with g = Jᵀr/‖r‖ (Huber 1967); `None` if A is singular.
 pub(super) fn deviations_of_norms(stacked: &Stacked) -> Option<Vec<Option<f64>>> {
     let (samples, count) = (stacked.samples(), stacked.jacobian.ncols());
     let mut pulls = DMatrix::zeros(count, samples);

@@ -74,7 +74,7 @@ struct Barrier<'a, V> {
     largest: f64,
 }
 
-/// Finds it from these values; nothing where they have no residuals.
+/// Finds it from these values; `None` if they have no residuals.
 pub(super) fn minimise<V: Vectors>(
     vectors: &mut V,
     parameters: &[Parameter],
@@ -305,7 +305,7 @@ fn above_the_largest(slacks: &[f64], weight: f64) -> f64 {
     }
 }
 
-/// Weights from 0 that sum to one and make the weighted sum of gradients the least; nothing where the least has weights below 0.
+/// Weights from 0 that sum to one and make the weighted sum of gradients the least; `None` if the least has weights below 0.
 fn least_sum(gradients: &[DVector<f64>]) -> Option<Vec<f64>> {
     let count = gradients.len();
     let products = DMatrix::from_fn(count, count, |i, j| gradients[i].dot(&gradients[j]));

@@ -76,7 +76,7 @@ impl<'a> PoseVectors<'a> {
         Some((sample, reason))
     }
 
-    /// Predicts all poses; nothing where one has no prediction.
+    /// Predicts all poses; `None` if one has no prediction.
     fn predict(&mut self, model: &Model, state: &mut State) -> Option<()> {
         if self.guesses.is_empty() {
             self.guesses = self.samples.poses.iter().collect();
@@ -239,7 +239,7 @@ impl<'a> Rest<'a> {
         Self { model, basis, pose: Pose::identity(), rotation, cables, by_wrench }
     }
 
-    /// Comes to rest at a pose with what was recorded there; nothing where it cannot.
+    /// Comes to rest at a pose with what was recorded there; `None` if it cannot.
     fn settle(
         &mut self,
         pose: &Pose,

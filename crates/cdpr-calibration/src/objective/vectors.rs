@@ -33,13 +33,13 @@ pub(crate) enum Outliers {
 #[derive(Clone, Debug)]
 pub(crate) struct Latent {
     pub(crate) pose: Pose,
-    /// As they would be recorded (N); none where tensions are no unknowns.
+    /// As they would be recorded (N); empty if tensions are no unknowns.
     pub(crate) tensions: Vec<f64>,
 }
 
 /// Residual vectors as functions of the free parameters.
 pub(crate) trait Vectors {
-    /// Steps after which a descent from another start than the file's values is given up; nothing where it has as many as any.
+    /// Steps after which a descent from another start than the file's values is given up; `None` if it has as many as any.
     fn patience(&self) -> Option<u32> {
         None
     }
@@ -68,7 +68,7 @@ pub(crate) trait Vectors {
         false
     }
 
-    /// Pose and tensions that are eliminated from each sample's vector, as found last; nothing where no unknown is.
+    /// Pose and tensions that are eliminated from each sample's vector, as found last; empty if no unknown is.
     fn latents(&self) -> Vec<Latent> {
         Vec::new()
     }
@@ -81,12 +81,12 @@ pub(crate) trait Vectors {
         false
     }
 
-    /// Outliers among the samples; nothing where none is looked for.
+    /// Outliers among the samples; `None` if none is looked for.
     fn outliers(&self) -> Option<Outliers> {
         None
     }
 
-    /// ‖r‖² of every sample with the values at which squares were written last; nothing where only the vectors tell.
+    /// ‖r‖² of every sample with the values at which squares were written last; `None` if only the vectors tell.
     fn squares(&self) -> Option<(&[f64], Vec<f64>)> {
         None
     }

@@ -38,7 +38,7 @@ impl Group {
         self.members.iter().map(|&k| z[k] * z[k]).sum::<f64>().sqrt()
     }
 
-    /// Penalty; nothing for 0, even times infinity.
+    /// Penalty; 0 for 0, even times infinity.
     pub(super) fn penalty(&self, lambda: f64, z: &DVector<f64>) -> f64 {
         let norm = self.norm(z);
         if norm > 0.0 { self.strength(lambda) * norm } else { 0.0 }

@@ -86,7 +86,7 @@ impl Problem<'_> {
         Ok(evaluate_fitted(&fitted.model, &held)?)
     }
 
-    /// Errors on the regions left out besides; nothing without any.
+    /// Errors on the regions left out besides; `None` without any.
     fn errors_on_regions(
         &self,
         model: &Model,

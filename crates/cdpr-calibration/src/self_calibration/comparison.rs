@@ -24,7 +24,7 @@ pub struct Comparison {
 }
 
 impl Comparison {
-    /// Anchors of a model beside those of a robot with as many cables, in the axes of the model's pattern; nothing where cables differ or all anchors coincide.
+    /// Anchors of a model beside those of a robot with as many cables, in the axes of the model's pattern; `None` if cables differ or all anchors coincide.
     pub fn of(model: &Model, other: &Robot, may_mirror: bool) -> Option<Self> {
         let (own, others) = (coordinates(model, model.robot()), coordinates(model, other));
         if own.ncols() != others.ncols() {

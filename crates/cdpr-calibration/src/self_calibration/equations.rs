@@ -46,7 +46,7 @@ impl Equation {
         }
     }
 
-    /// Rows at a model's values; nothing where a cable has no path.
+    /// Rows at a model's values; `None` if a cable has no path.
     pub(super) fn rows(&self, model: &Model, parameters: &[Parameter]) -> Option<Vec<Row>> {
         let Self::Known(Known { fact, sigma }) = self else { return Some(vec![self.still(model, parameters)]) };
         let rows = match fact {

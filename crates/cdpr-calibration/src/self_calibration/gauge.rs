@@ -50,7 +50,7 @@ pub(super) struct Gauge {
     pub(super) held: Vec<usize>,
     /// Changes of the parameters by the motions, a column each.
     pub(super) moves: DMatrix<f64>,
-    /// Change of the rows with the size, beside the changes that add up to it; nothing where no free parameter changes it, or it is not seen at all.
+    /// Change of the rows with the size, beside the changes that add up to it; `None` if no free parameter changes it, or it is not seen at all.
     size: Option<f64>,
 }
 

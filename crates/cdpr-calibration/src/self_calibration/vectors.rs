@@ -86,7 +86,7 @@ impl PoseVectors<'_> {
         }
     }
 
-    /// Rows that unknowns of samples do not take up, those of equations included; nothing where unknowns are more.
+    /// Rows that unknowns of samples do not take up, those of equations included; `None` if unknowns are more.
     pub(super) fn equation_count(&self) -> Option<usize> {
         (self.size() * self.samples()).checked_sub(self.unknowns())
     }

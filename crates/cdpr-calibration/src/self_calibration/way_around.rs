@@ -17,7 +17,7 @@ use cdpr_model::geometry::Pose;
 const STEPS: usize = 16;
 
 impl Question<'_> {
-    /// Values of the parameters that are not held near an optimum that descents with the others held did not reach; nothing where the way around ends nowhere either.
+    /// Values of the parameters that are not held near an optimum that descents with the others held did not reach; `None` if the way around ends nowhere either.
     pub(super) fn way_around(&self, gauge: &Gauge, near: &[Pose]) -> Result<Option<Vec<f64>>, InputError> {
         let is_held = self.settings.gauge == GaugeConvention::Anchors && !gauge.held.is_empty();
         if matches!(self.sensing, Sensing::Lengths(_)) || !is_held || !self.settings.priors.is_empty() {

@@ -7,7 +7,7 @@ use crate::verdict::{Doubt, DoubtKind};
 const LARGEST_SHARE: f64 = 0.05;
 
 impl Solution {
-    /// Doubts about the laws, a sentence each; none where the branches follow the record and a polynomial rises with it.
+    /// Doubts about the laws, a sentence each; empty if the branches follow the record and a polynomial rises with it.
     pub fn doubts(&self) -> Vec<Doubt> {
         let range = self.tensions[1] - self.tensions[0];
         let share = self.hysteresis.rms / range;

@@ -146,7 +146,7 @@ impl RoundFolder<'_> {
         ])
     }
 
-    /// The record of a round: that of its file, or of the study's machine; nothing where a file is waited for.
+    /// The record of a round: that of its file, or of the study's machine; `None` if a file is waited for.
     fn samples(
         &self,
         study: &StudyFile,

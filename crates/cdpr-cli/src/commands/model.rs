@@ -65,7 +65,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     output.answer(&answer.compared(&found, model.robot(), state.tensions))
 }
 
-/// The tensions of the state; none where lengths do not depend on them.
+/// The tensions of the state; no tensions if lengths do not depend on them.
 fn tensions(model: &Model, pose: &Pose, arguments: &Arguments) -> Result<Chosen, Failure> {
     if arguments.tensions.is_none() && model.lengths_without_tensions(pose).is_some() {
         return Ok(Chosen::Tensions(Vec::new()));

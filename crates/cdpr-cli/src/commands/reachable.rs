@@ -246,7 +246,7 @@ impl Search<'_> {
         Ok(answer)
     }
 
-    /// Size within the rays of what one linear step reaches; nothing where it is not star-shaped.
+    /// Size within the rays of what one linear step reaches; `None` if it is not star-shaped.
     fn linear_hull(&self, reachable: &Reachable<'_>, settings: &hull::Settings) -> Option<f64> {
         let criterion = reachable.by_linear_step();
         let region = self.region.with_criterion(&criterion);

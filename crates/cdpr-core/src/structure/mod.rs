@@ -79,7 +79,7 @@ impl Kernel for StructureColumns<'_> {
     }
 }
 
-/// Kernel of cables in motion: lengths, tensions of linear laws continued below zero, and the wrench of those that pull; nothing where a cable may have
+/// Kernel of cables in motion: lengths, tensions of linear laws continued below zero, and the wrench of those that pull; `None` if a cable may have
 /// no path, and the numbers mean nothing. Of cables without linear law tensions and wrench mean nothing. Lists have eight numbers a group.
 #[derive(Debug)]
 pub struct Pulls<'a> {
@@ -97,7 +97,7 @@ pub struct Pulls<'a> {
     pub lengths: &'a mut [f64],
     /// Tensions (N).
     pub tensions: &'a mut [f64],
-    /// \[u; b × u\] of every cable (world), m columns; none where nobody asks.
+    /// \[u; b × u\] of every cable (world), m columns; empty if they are not asked for.
     pub columns: &'a mut [[f64; 6]],
 }
 

@@ -81,7 +81,7 @@ impl PoseSpace {
         self.excesses(point).map(left).product()
     }
 
-    /// Reason why a point lies beyond the samples, by the coordinate that is farthest out; nothing where it is among them.
+    /// Reason why a point lies beyond the samples, by the coordinate that is farthest out; `None` if it is among them.
     pub(super) fn beyond(&self, point: &[f64]) -> Option<String> {
         let farthest = self.excesses(point).enumerate().filter(|(_, part)| *part > 0.0);
         let (place, _) = farthest.max_by(|(_, one), (_, other)| one.total_cmp(other))?;

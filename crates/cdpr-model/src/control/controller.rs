@@ -93,7 +93,7 @@ impl<'a> Control<'a> {
         self.model.needs_tensions()
     }
 
-    /// Choice of the tensions; nothing where lengths belong to none.
+    /// Choice of the tensions; `None` if lengths belong to none.
     pub fn tension_choice(self) -> Result<Option<TensionChoice<'a>>, InputError> {
         if !self.chooses_tensions() {
             return Ok(None);
@@ -163,7 +163,7 @@ impl<'a> Controller<'a> {
         })
     }
 
-    /// Correction of its map at a pose; nothing without a map.
+    /// Correction of its map at a pose; `None` without a map.
     fn correction(&self, pose: &Pose) -> Option<Correction> {
         self.compensation.map(|map| map.at(pose))
     }

@@ -48,7 +48,7 @@ impl<'a> Driving<'a> {
         self
     }
 
-    /// The same under the control model without its map; nothing where it has none.
+    /// The same under the control model without its map; `None` if it has none.
     pub fn without_map(&self) -> Option<Self> {
         let operation = self.operation.without_map()?;
         Some(Self { control: Control { compensation: None, ..self.control }, operation, ..self.clone() })

@@ -33,7 +33,7 @@ pub enum Reach {
 }
 
 impl History {
-    /// How a machine comes to the poses: as stated, or from the initial pose; nothing where its cables do not remember.
+    /// How a machine comes to the poses: as stated, or from the initial pose; `None` if its cables do not remember.
     pub fn of(machine: &Model, stated: Option<Self>) -> Option<Self> {
         let remembers = machine.composition().stretch.remembers();
         remembers.then(|| stated.unwrap_or_default())

@@ -136,7 +136,7 @@ fn wanted(task: &Task<'_>, target: &Target, poses: &[Pose]) -> Result<Vec<Wanted
     }
 }
 
-/// Tensions that emerge at each pose (N); nothing where the machine comes to no rest.
+/// Tensions that emerge at each pose (N); `None` if the machine comes to no rest.
 fn emerging(task: &Task<'_>, offsets: &[f64], poses: &[Pose]) -> Result<Vec<Option<Vec<f64>>>, InputError> {
     let driving = driving(task, offsets)?;
     let tensions = driving.outcomes(poses).into_iter();

@@ -43,7 +43,7 @@ impl<'a> Machine<'a> {
     }
 
     /// Emerging poses and tensions for many controlled lengths at once (m; a row per cable), sought from these poses; with
-    /// `only_taut` those with every cable taut. Nothing where the machine fits lengths, and where the lengths are no numbers.
+    /// `only_taut` those with every cable taut. `None` if the machine fits lengths, and where the lengths are no numbers.
     pub(super) fn answer_all(
         &self,
         lengths: &LaneTable,

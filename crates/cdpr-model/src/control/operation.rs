@@ -148,7 +148,7 @@ impl<'a> Operation<'a> {
         self
     }
 
-    /// The same under the control model without its map, its way begun anew; nothing where it has none.
+    /// The same under the control model without its map, its way begun anew; `None` if it has none.
     pub fn without_map(&self) -> Option<Self> {
         self.control.compensation()?;
         let Self { control, way, .. } = self.clone();
@@ -159,7 +159,7 @@ impl<'a> Operation<'a> {
         Some(alone)
     }
 
-    /// Poses at which the map that corrects the lengths fades or is zero; none without a map.
+    /// Poses at which the map that corrects the lengths fades or is zero; empty without a map.
     pub fn beyond_map(&self, poses: impl Iterator<Item = Pose>) -> Beyond {
         let map = self.control.compensation();
         map.map_or_else(Beyond::default, |map| Beyond::of(poses.map(|pose| map.at(&pose).share)))
@@ -188,7 +188,7 @@ impl<'a> Operation<'a> {
         self.winding.to_machine(sent)
     }
 
-    /// [`Operation::controlled_lengths`] of many poses at once, with the same bits; nothing where drums or tensions come between, or
+    /// [`Operation::controlled_lengths`] of many poses at once, with the same bits; `None` if drums or tensions come between, or
     /// where one of the poses has no lengths.
     fn kinematic_lengths(&self, poses: &PoseBatch) -> Option<LaneTable> {
         let control = self.control.kinematic().filter(|_| self.winding.is_none())?;

@@ -44,13 +44,13 @@ pub fn winch_offsets(
     Ok(wanted.iter().zip(&sent).map(|(wanted, sent)| wanted - sent).collect())
 }
 
-/// Model that says which tensions the winches set: the machine, or the model in use then where the machine is straight and rigid; nothing where
+/// Model that says which tensions the winches set: the machine, or the model in use then where the machine is straight and rigid; `None` if
 /// both are, whose lengths no tension changes.
 pub fn tension_model<'a>(set_with: &'a Model, machine: &'a Model) -> Option<&'a Model> {
     [machine, set_with].into_iter().find(|model| model.needs_tensions())
 }
 
-/// [`initial_tensions`] of the model that says which tensions the winches set; nothing where none does.
+/// [`initial_tensions`] of the model that says which tensions the winches set; `None` if none does.
 pub fn tensions_set(
     initial: &Initial,
     set_with: &Model,

@@ -139,7 +139,7 @@ pub struct Balance {
     pub wrench: Vec<f64>,
     /// Times the method was asked.
     pub iterations: u32,
-    /// Why the method did not settle; nothing where it found no tensions, for which it has its own words.
+    /// Why the method did not settle; `None` if it found no tensions, for which it has its own words.
     pub reason: Option<Reason>,
 }
 

@@ -93,7 +93,7 @@ impl Model {
     }
 
     /// The pose that fits lengths better than the answer that belongs to the guess does, where the residual of that answer is more than
-    /// errors of measurement explain; nothing where there is none, and for equilibria.
+    /// errors of measurement explain; `None` if there is none, and for equilibria.
     ///
     /// It takes as many descents as `max_restarts`, each as long as that of [`Model::forward`].
     pub fn forward_alternative(

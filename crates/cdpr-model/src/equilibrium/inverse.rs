@@ -51,7 +51,7 @@ impl Model {
         Ok(&state.inverse)
     }
 
-    /// Controlled lengths at a pose of cables whose lengths no tension changes (m); nothing where one belongs to a tension.
+    /// Controlled lengths at a pose of cables whose lengths no tension changes (m); `None` if one belongs to a tension.
     pub fn lengths_without_tensions(&self, pose: &Pose) -> Option<Result<Vec<f64>, StaticsError>> {
         let mut state = State::at(self, pose);
         match self.inverse(pose, &vec![f64::NAN; self.cable_count()], &mut state) {

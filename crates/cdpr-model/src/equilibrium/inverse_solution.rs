@@ -21,9 +21,9 @@ pub struct CableCommand {
     pub outlet_tension: f64,
     /// Tension at the platform anchor (N) of a cable with weight; that of others is the one at the outlet.
     pub platform_tension: Option<f64>,
-    /// Motor angle (rad); nothing without the effect `drum`.
+    /// Motor angle (rad); `None` without the effect `drum`.
     pub motor_angle: Option<f64>,
-    /// Encoder counts of the motor angle; nothing where the file does not say how its encoder counts.
+    /// Encoder counts of the motor angle; `None` if the file does not say how its encoder counts.
     pub encoder_counts: Option<f64>,
 }
 
@@ -49,9 +49,9 @@ pub struct InverseSolution {
     pub pose: Pose,
     /// Every cable.
     pub cables: Vec<CableCommand>,
-    /// Why cables have no path, or no length for their tension; none where the problem is solved.
+    /// Why cables have no path, or no length for their tension; empty if the problem is solved.
     pub failures: Vec<StaticsError>,
-    /// Why drums have no angle for a length; none without the effect `drum`.
+    /// Why drums have no angle for a length; empty without the effect `drum`.
     pub winch_failures: Vec<WinchError>,
 }
 

@@ -36,7 +36,7 @@ use crate::model::Model;
 #[derive(Clone, Debug)]
 pub struct State {
     pose: Pose,
-    /// Memory of every cable; none where the laws have none.
+    /// Memory of every cable; empty if the laws have none.
     memories: Vec<Memory>,
     pub(super) inverse: InverseSolution,
     pub(super) scratch: Option<Scratch>,
@@ -68,7 +68,7 @@ impl State {
         self.pose
     }
 
-    /// Memory of every cable (strain and stops of its hysteresis); none where the laws have none.
+    /// Memory of every cable (strain and stops of its hysteresis); empty if the laws have none.
     pub fn memories(&self) -> &[Memory] {
         &self.memories
     }

@@ -9,7 +9,7 @@ pub fn position_columns(robot: &Robot, unit: &str) -> Vec<String> {
     axes.chars().map(|axis| format!("{axis}_{unit}")).collect()
 }
 
-/// Names of the columns of a pattern's orientations; none for a point.
+/// Names of the columns of a pattern's orientations; empty for a point.
 pub fn turn_columns(pattern: MotionPattern) -> &'static [&'static str] {
     match pattern {
         MotionPattern::Planar => &["angle_rad"],

@@ -99,7 +99,7 @@ impl Model {
         self.composition.needs_tensions()
     }
 
-    /// Frame and platform anchors of cables that run straight from one to the other (world, m; platform, m); nothing for pulleys and for
+    /// Frame and platform anchors of cables that run straight from one to the other (world, m; platform, m); `None` for pulleys and for
     /// cables with weight.
     pub fn straight_lines(&self) -> Option<impl Iterator<Item = (&Vector3<f64>, &Vector3<f64>)>> {
         let is_straight = !self.composition.pulley && self.cables().has_fixed_directions();

@@ -60,7 +60,7 @@ pub(super) fn laws(
     robot.cables.iter().zip(elasticity).enumerate().map(law).collect()
 }
 
-/// Basis of a cable's stiffness; nothing for a constant spring.
+/// Basis of a cable's stiffness; `None` for a constant spring.
 fn stiffness_basis(cable: &Cable) -> Option<StiffnessBasis> {
     cable.spring_constant().is_none().then(|| cable.stiffness_by.unwrap_or(StiffnessBasis::Actual))
 }

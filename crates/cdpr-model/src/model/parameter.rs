@@ -46,7 +46,7 @@ fn law_parameter(parameter: &Parameter, model: &Model) -> Option<LawParameter> {
 }
 
 impl Model {
-    /// The model at other values of some parameters; nothing where they make no robot.
+    /// The model at other values of some parameters; `None` if they make no robot.
     pub fn with_parameters(&self, parameters: &[Parameter], values: &[f64]) -> Option<Self> {
         let mut robot = self.robot().clone();
         for (parameter, &value) in parameters.iter().zip(values) {

@@ -16,7 +16,7 @@ pub trait Keyword: Copy + 'static {
     /// The name.
     fn name(self) -> &'static str;
 
-    /// The choice of this name; nothing where there is none.
+    /// The choice of this name; `None` if there is none.
     fn named(name: &str) -> Option<Self> {
         Self::ALL.iter().copied().find(|choice| choice.name() == name)
     }

@@ -81,7 +81,7 @@ impl Body {
         matrix
     }
 
-    /// The body with a point mass (kg, negative where it is taken away) fixed at a place (platform frame, m); nothing where no mass is left.
+    /// The body with a point mass (kg, negative where it is taken away) fixed at a place (platform frame, m); `None` if no mass is left.
     #[must_use]
     pub fn with_point_mass(&self, added: f64, place: &Vector3<f64>) -> Option<Self> {
         let mass = self.mass + added;

@@ -47,7 +47,7 @@ impl LowerTriangle {
         &mut self.lines
     }
 
-    /// Replaces the matrix by its factor; nothing where it is not positive definite.
+    /// Replaces the matrix by its factor; `None` if it is not positive definite.
     pub fn factorize(&mut self) -> Option<()> {
         dispatch(Factorize { triangle: self }).then_some(())
     }

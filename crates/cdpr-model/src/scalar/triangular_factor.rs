@@ -99,7 +99,7 @@ struct Reflection {
 }
 
 impl Reflection {
-    /// Nothing where the column of the joining rows is zero.
+    /// `None` if the column of the joining rows is zero.
     #[inline]
     fn of(own: &[[f64; LANES]], joining: &[[f64; LANES]], column: usize) -> Option<Self> {
         let (block, lane) = (column / LANES, column % LANES);

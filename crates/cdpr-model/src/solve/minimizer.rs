@@ -36,7 +36,7 @@ pub trait NormalSystem {
         move |i| self.entry(i, j)
     }
 
-    /// The damped step of the parameters that are not held, zeros for the others; nothing where it is not determined.
+    /// The damped step of the parameters that are not held, zeros for the others; `None` if it is not determined.
     fn damped(&self, held: &[bool], damping: f64, step: &mut [f64]) -> Option<()>;
 }
 
@@ -61,7 +61,7 @@ impl Minimizer {
         }
     }
 
-    /// Its step within the bounds; whether a region or a bound cut it, and nothing where the equations do not determine it. `held` is
+    /// Writes its step within the bounds. Returns whether a region or a bound cut it; `None` if the equations do not determine it. `held` is
     /// scratch memory.
     #[inline]
     pub fn step(

@@ -132,7 +132,7 @@ impl Search {
         }
     }
 
-    /// Moves tensions from strictly inside the limits to the centre; returns the steps taken, none where it did not get
+    /// Moves tensions from strictly inside the limits to the centre; returns the steps taken, `None` if it did not get
     /// there. Cables without a range are fixed first.
     fn run(&mut self, balanced: &mut Affine, limits: &Limits, tensions: &mut [f64]) -> Option<u32> {
         for (cable, (least, largest)) in limits.minimum().iter().zip(limits.maximum()).enumerate() {

@@ -77,7 +77,7 @@ impl Search {
         }
     }
 
-    /// Moves allowed tensions to the optimum; returns the programmes solved, none where they did not settle.
+    /// Moves allowed tensions to the optimum; returns the programmes solved, `None` if they did not settle.
     fn run(
         &mut self,
         problem: &Problem<'_>,

@@ -123,7 +123,7 @@ impl Level {
     }
 }
 
-/// Volume of the last level's face, none where the work is used up; its centroid is left in `centre`.
+/// Volume of the last level's face; `None` if the work is used up; its centroid is left in `centre`.
 fn measure(levels: &mut [Level], work: &mut u64) -> Option<f64> {
     let Some((face, below)) = levels.split_last_mut() else { return Some(0.0) };
     let Some(next) = below.len().checked_sub(1) else { return Some(face.measure_segment()) };

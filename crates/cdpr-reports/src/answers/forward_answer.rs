@@ -12,7 +12,7 @@ use super::{Answer, PoseAnswer};
 use crate::number_format::cell;
 use crate::table::Table;
 
-/// Nothing for those who know because they said so.
+/// Empty if the caller gave a guess.
 fn start_words(start: Start) -> &'static str {
     match start {
         Start::Guess => "",
@@ -23,7 +23,7 @@ fn start_words(start: Start) -> &'static str {
     }
 }
 
-/// Stability of an equilibrium in a word; nothing where there is none.
+/// Stability of an equilibrium in a word; `None` if there is none.
 fn stability(status: Status) -> Option<&'static str> {
     match status {
         Status::Converged => Some(word(Stability::Stable)),

@@ -17,7 +17,7 @@ type Rows = Vec<Vec<f64>>;
 #[derive(Serialize)]
 pub(super) struct Jacobians {
     degrees_of_freedom: Vec<String>,
-    /// Nothing for platforms whose turns are their angles.
+    /// `None` for platforms whose turns are their angles.
     #[serde(skip_serializing_if = "Option::is_none")]
     angles: Option<AngleJacobian>,
     /// Null for cables without a unique path, and for all that hang.

@@ -12,7 +12,7 @@ pub struct PoselessJudgement {
     data: String,
     #[serde(flatten)]
     errors: ErrorBlocks,
-    /// Of the model as given; none where it has no such poses.
+    /// Of the model as given; `None` if it has no such poses.
     before: Option<ErrorBlocks>,
 }
 

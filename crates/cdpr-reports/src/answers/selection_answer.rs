@@ -33,7 +33,7 @@ pub struct SelectionAnswer {
     pub recommended: Option<String>,
     /// False where nothing is recommended, or nobody should work with what is; the warnings say why.
     pub trusted: bool,
-    /// How far the recommended candidate may be relied on; none without one.
+    /// How far the recommended candidate may be relied on; `None` without one.
     #[serde(skip)]
     pub verdict: Option<Verdict>,
     /// Reason of the outcome, in words.
@@ -180,7 +180,7 @@ pub struct AsGiven {
 }
 
 impl AsGiven {
-    /// Nothing where the verdict is about the model as given itself, or that is no candidate or cannot be judged.
+    /// `None` if the verdict is about the model as given itself, or that is no candidate or cannot be judged.
     fn of(selection: &Selection) -> Option<Self> {
         let chosen = selection.recommended.or(selection.best)?;
         let given = selection.as_given().filter(|given| *given != chosen)?;

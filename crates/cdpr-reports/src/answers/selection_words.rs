@@ -122,7 +122,7 @@ fn table(answer: &SelectionAnswer, width: Option<usize>) -> String {
     text
 }
 
-/// The candidates by all criteria, for people; nothing where none rates them.
+/// The candidates by all criteria, for people; `None` if none rates them.
 fn rating_table(answer: &SelectionAnswer, width: Option<usize>) -> Option<String> {
     let criteria = &answer.rating.criteria;
     if !has_others(criteria) || answer.candidates.len() < 2 {

@@ -8,7 +8,7 @@ use crate::table::Table;
 /// Optima that a table shows before it refers to the others.
 const MOST_OPTIMA: usize = 10;
 
-/// A sentence where all starts agree, else a table of optima; nothing for one start.
+/// A sentence where all starts agree, else a table of optima; empty for one start.
 pub(super) fn start_words(starts: &Starts, width: Option<usize>) -> String {
     let Starts { count, unconverged, optima, .. } = starts;
     if *count <= 1 {

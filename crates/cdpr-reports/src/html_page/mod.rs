@@ -48,7 +48,7 @@ pub(crate) struct Page<'a> {
     pub(crate) template: &'static str,
     /// The template's values; `title` and `version` are known to it besides.
     pub(crate) values: Value,
-    /// The block that the program draws from, JSON of [`inside_script`]; nothing for a page that comes drawn.
+    /// The block that the program draws from, JSON of [`inside_script`]; `None` for a page that comes drawn.
     pub(crate) data: Option<String>,
     /// Version of the program.
     pub(crate) version: &'a str,

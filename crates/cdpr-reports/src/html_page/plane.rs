@@ -12,7 +12,7 @@ pub(crate) struct PlaneData {
 }
 
 impl PlaneData {
-    /// Plane of a robot; nothing for a spatial one.
+    /// Plane of a robot; `None` for a spatial one.
     pub(crate) fn of(robot: &Robot) -> Option<Self> {
         robot.motion_pattern.is_planar().then(|| Self {
             names: robot.plane.axes().chars().map(String::from).collect(),

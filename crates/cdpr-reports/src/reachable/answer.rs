@@ -26,7 +26,7 @@ pub struct Found {
     pub model: Option<f64>,
     /// Reachable, by emerging poses.
     pub emerging: Option<f64>,
-    /// Reachable as one linear step tells, NaN where that has no size; nothing where nobody asked.
+    /// Reachable as one linear step tells, NaN where that has no size; `None` if nobody asked.
     pub linear: Option<f64>,
     /// Poses judged.
     pub points: u64,

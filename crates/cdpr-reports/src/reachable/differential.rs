@@ -23,7 +23,7 @@ pub struct Differential {
     pub size_rate: f64,
     /// Area or volume after the change (m², m³), to first order.
     pub first_order_size: f64,
-    /// The same from a hull found anew; nothing where it has none.
+    /// The same from a hull found anew; `None` if it has none.
     pub recomputed_size: Option<f64>,
     /// The hull after the change, to first order.
     #[serde(skip)]

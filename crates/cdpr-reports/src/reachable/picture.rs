@@ -25,7 +25,7 @@ pub struct Picture<'a> {
 }
 
 impl Picture<'_> {
-    /// SVG of the picture; nothing where nothing is reached.
+    /// SVG of the picture; `None` if nothing is reached.
     pub fn svg(&self) -> Option<String> {
         self.outlines().svg().map(|picture| picture.file())
     }

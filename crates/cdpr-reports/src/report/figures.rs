@@ -5,7 +5,7 @@ use minijinja::{Value, context};
 use super::{Report, Shown};
 use crate::figures::{Figure, Ladder, convergence, correlations, spectrum};
 
-/// Each drawing as an element; nothing where there is nothing to draw.
+/// Each drawing as an element; null if there is nothing to draw.
 pub(super) fn all(report: &Report<'_>, shown: &Shown<'_>) -> Value {
     let fit = &shown.judgement.fit;
     let names: Vec<String> = fit.parameters.iter().map(|estimate| estimate.parameter.name(report.robot)).collect();

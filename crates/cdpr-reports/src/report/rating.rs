@@ -9,7 +9,7 @@ use crate::answers::{above_least, has_others, largest};
 use crate::html_page::prose;
 use crate::number_format::{self as number, NONE};
 
-/// Agreement in words and the table; nothing where no candidates are compared.
+/// Agreement in words and the table; `None` if no candidates are compared.
 pub(super) fn rating(report: &Report<'_>) -> Option<Value> {
     let rating = &report.selection.rating;
     if report.purpose != Purpose::Selection || rating.words.is_empty() {

@@ -123,7 +123,7 @@ fn comparison(report: &Report<'_>, shown: &Shown<'_>) -> String {
     format!("today, `{}` as given: {words}{}", given.name, times(before / after))
 }
 
-/// How an error compares with the one of the verdict, `ratio` times as large; nothing where one of them is unknown.
+/// How an error compares with the one of the verdict, `ratio` times as large; empty if one of them is unknown.
 pub fn times(ratio: f64) -> String {
     match ratio.is_finite() && ratio > 0.0 {
         true if ratio >= 1.0 => format!(", {} times as large", number::significant(ratio, 2)),

@@ -20,7 +20,7 @@ pub struct FigureFile {
 /// Numbers of a result that figures show.
 pub struct SavedResult {
     pub(super) criterion: SelectionCriterion,
-    /// The candidates, from simple to complex; none for an identification.
+    /// The candidates, from simple to complex; empty for an identification.
     pub(super) candidates: Vec<CandidateData>,
     /// Name of the robot.
     pub robot: Option<String>,

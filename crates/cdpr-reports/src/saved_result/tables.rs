@@ -44,7 +44,7 @@ fn words<const N: usize>(heading: [&str; N]) -> Vec<String> {
     heading.map(str::to_owned).to_vec()
 }
 
-/// A number, or nothing where there is none.
+/// A number; empty if it is not finite.
 fn field(value: f64) -> String {
     if value.is_finite() { value.to_string() } else { String::new() }
 }

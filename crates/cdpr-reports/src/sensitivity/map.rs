@@ -16,7 +16,7 @@ use crate::number_format::significant;
 const LONGEST: f64 = 0.1;
 
 /// Discs coloured by |∂r/∂p| and arrows along ∂r/∂p at every pose, for the number p that is `cause` among those of the deviations; spatial robots from
-/// above. Nothing where no pose tells.
+/// above. `None` if no pose tells.
 pub fn map(found: &Deviations, experiment: &Experiment, cause: usize) -> Option<String> {
     let machine = &experiment.machine;
     let (by, words) = step(found.causes[cause].kind);

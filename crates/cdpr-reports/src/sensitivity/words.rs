@@ -53,7 +53,7 @@ impl Answer for SensitivityAnswer {
 }
 
 impl SensitivityAnswer {
-    /// Way in which the derivatives of a machine that remembers are taken; nothing for others.
+    /// Way in which the derivatives of a machine that remembers are taken; empty for others.
     fn differentiation(&self) -> String {
         let poses = &self.difference_poses;
         match (poses.first(), self.difference_error) {

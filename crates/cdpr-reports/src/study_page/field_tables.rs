@@ -123,7 +123,7 @@ pub fn error_maps(found: &Field, machine: &Model) -> Vec<NamedFile> {
         .collect()
 }
 
-/// Commanded and emerging tensions of every cable over the poses in their order (Figs. 4.17, 4.18); nothing where none are commanded.
+/// Commanded and emerging tensions of every cable over the poses in their order (Figs. 4.17, 4.18); `None` if none are commanded.
 pub fn tracking_figure(found: &Field, machine: &Model) -> Option<Figure> {
     found.summary.tension_error?;
     let of_cable = |index: usize| {
@@ -146,7 +146,7 @@ pub(crate) const SAME_HEIGHT: f64 = 1e-6;
 /// More heights than this are no levels but a cloud.
 const MOST_HEIGHTS: usize = 7;
 
-/// The different ones among the heights of poses; none where all have the same, or nearly each its own.
+/// The different ones among the heights of poses; empty if all have the same, or nearly each its own.
 pub(crate) fn levels(of_poses: &[f64]) -> Vec<f64> {
     let mut heights = of_poses.to_vec();
     heights.sort_by(f64::total_cmp);

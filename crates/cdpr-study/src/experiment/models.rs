@@ -14,7 +14,7 @@ pub struct Robots {
     pub control: Robot,
     /// The machine.
     pub machine: Robot,
-    /// Robot of `[prediction]`; nothing where the study has none, or nobody is going to ask it.
+    /// Robot of `[prediction]`; `None` if the study has none, or nobody is going to ask it.
     pub prediction: Option<Robot>,
     /// Robot with which the winches were set, where the study names one.
     pub former: Option<Robot>,
@@ -36,7 +36,7 @@ impl Robots {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error("{error}")]
 pub struct ExperimentError {
-    /// Name in the study of the robot at fault; nothing where the study itself is.
+    /// Name in the study of the robot at fault; `None` if the study itself is.
     pub robot: Option<String>,
     /// Reason.
     pub error: InputError,
@@ -54,7 +54,7 @@ impl Study {
         Ok(Model::new(self.limited(robot), side.model.parse::<Composition>()?)?)
     }
 
-    /// The robot that was in use when the winches were set, with the effects of the control model; nothing where it is the
+    /// The robot that was in use when the winches were set, with the effects of the control model; `None` if it is the
     /// control model's own.
     pub(crate) fn former(&self) -> Option<RobotModel> {
         let robot = self.initial.offset_robot.clone()?;

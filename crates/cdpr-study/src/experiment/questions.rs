@@ -12,7 +12,7 @@ use cdpr_model::model::Model;
 use cdpr_model::tension::Limits;
 
 impl Experiment {
-    /// The tensions at which the winches were set (N); nothing where the study states offsets, or cables have none.
+    /// The tensions at which the winches were set (N); `None` if the study states offsets, or cables have none.
     pub fn initial_tensions(&self) -> Result<Option<Vec<f64>>, InputError> {
         let initial = &self.study.initial;
         match initial.offset.is_none() && initial.offset_m.is_none() {

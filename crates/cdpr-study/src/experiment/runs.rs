@@ -78,7 +78,7 @@ impl Experiment {
         assess_operation(&mut self.operation()?, poses)
     }
 
-    /// How far apart branches lie at the poses, a hundred of them at the most, evenly chosen; nothing without history.
+    /// How far apart branches lie at the poses, a hundred of them at the most, evenly chosen; `None` without history.
     pub fn branches(&self, poses: &[CommandedPose], stroke: f64) -> Result<Option<Branches>, InputError> {
         let Some(history) = self.history() else { return Ok(None) };
         let every = poses.len().div_ceil(BRANCHED).max(1);

@@ -51,7 +51,7 @@ impl Experiment {
         Reachable::new(self.driving()?, requirements)
     }
 
-    /// Wrench feasibility of one of the models under the machine's limits; nothing where load or limits are unknown.
+    /// Wrench feasibility of one of the models under the machine's limits; `None` if load or limits are unknown.
     pub fn feasible<'m>(&self, model: &'m Model) -> Option<WrenchFeasible<'m>> {
         let load = Load::of(model.robot()).ok()?;
         WrenchFeasible::new(model, &load, &self.limits()?).ok()
@@ -74,7 +74,7 @@ impl Experiment {
         Region::new(&self.machine, reachable, &Archetype::ConstantOrientation(orientation))
     }
 
-    /// The cells of a grid at which one of the models is wrench-feasible; nothing where load or limits are unknown.
+    /// The cells of a grid at which one of the models is wrench-feasible; `None` if load or limits are unknown.
     pub fn feasible_cells(&self, model: &Model, region: &Region<'_>, grid: &Grid) -> Option<grid::Outcome> {
         let criterion = self.feasible(model)?;
         Some(grid::count(&region.with_criterion(&criterion), grid).outcome(grid))

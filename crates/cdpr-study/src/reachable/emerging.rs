@@ -63,7 +63,7 @@ pub struct Image {
     pub size: f64,
 }
 
-/// The image of a hull; nothing where a corner has no answer.
+/// The image of a hull; `None` if a corner has no answer.
 pub fn image_of(reachable: &Reachable<'_>, region: &Region<'_>, hull: &Hull) -> Option<Image> {
     let ends = reachable.driving().each_share(&hull.vertices(), |corners| emerging(reachable, region, corners));
     let vertices: Vec<Point> = ends.into_iter().collect::<Option<_>>()?;

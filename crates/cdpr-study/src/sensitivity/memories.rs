@@ -19,10 +19,10 @@ const STAYS: f64 = 1e-6;
 /// Strain per unit of a deviation that rounding leaves where its effects cancel, as of winches that are set anew at the pose.
 const CANCELLED: f64 = 1e-13;
 
-/// Changes of the memories of all cables per unit of one cause; none for a model whose cables do not remember.
+/// Changes of the memories of all cables per unit of one cause; empty for a model whose cables do not remember.
 pub(super) type MemoryChanges = Vec<MemoryChange>;
 
-/// Cables on the motion from their memories to their tensions, linearized; none for a model whose cables do not remember.
+/// Cables on the motion from their memories to their tensions, linearized; empty for a model whose cables do not remember.
 #[derive(Default)]
 pub(super) struct Motions {
     cables: Vec<Moving>,
@@ -48,7 +48,7 @@ impl Motions {
         tensions.iter().enumerate().map(moving).collect::<Result<_, _>>().map(|cables| Self { cables })
     }
 
-    /// The model from whose memories no stop is in doubt, so that all that is derived from it takes the same side; nothing where none is.
+    /// The model from whose memories no stop is in doubt, so that all that is derived from it takes the same side; `None` if none is.
     pub(super) fn pushed_on(&self, model: &Model) -> Option<Model> {
         let is_in_doubt = self.cables.iter().any(|cable| cable.motion.margin() < ROUNDING);
         let memories = self.cables.iter().enumerate().filter_map(|(cable, Moving { motion, .. })| {

@@ -83,7 +83,7 @@ impl<'s, 'a> Companion<'s, 'a> {
         Self { sensitivity, start: Ok(unloaded.clone()), here: Ok(unloaded.clone()), unloaded }
     }
 
-    /// The derivatives at a place; nothing for a new way.
+    /// The derivatives at a place; `None` for a new way.
     fn pass(&mut self, point: PathPoint<'_>) -> Option<Result<Derivatives, Kink>> {
         let PathPoint::Arrival(place) = point else {
             self.here.clone_from(&self.start);

@@ -70,13 +70,13 @@ struct AtInitial<'a> {
     machine: &'a Model,
     set_with: &'a Model,
     tensions: Vec<f64>,
-    /// Side whose model says which tensions are set; nothing where neither has any.
+    /// Side whose model says which tensions are set; `None` if neither has any.
     carries: Option<Side>,
     /// Windings between the model in use and the machine.
     windings: Windings<'a>,
-    /// How the tensions follow their reference; nothing for rigid robots, and where the structure matrix has lost rank.
+    /// How the tensions follow their reference; `None` for rigid robots, and where the structure matrix has lost rank.
     as_they_are: Option<Choice<'a>>,
-    /// The same by the study's method; nothing where it has no derivative.
+    /// The same by the study's method; `None` if it has no derivative.
     chosen: Option<Choice<'a>>,
     /// Metres per newton of machine and model in use.
     stretch: [DVector<f64>; 2],
@@ -164,7 +164,7 @@ impl<'a> AtInitial<'a> {
     }
 }
 
-/// How the tensions that a study asks for follow the model; nothing where there is no derivative.
+/// How the tensions that a study asks for follow the model; `None` if there is no derivative.
 fn choice<'a>(
     initial: &Initial,
     model: &'a Model,

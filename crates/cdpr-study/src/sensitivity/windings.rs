@@ -13,7 +13,7 @@ use cdpr_model::robot::ParameterKind;
 pub(super) struct Windings<'a> {
     control: &'a Model,
     machine: &'a Model,
-    /// Nothing where lengths are lengths.
+    /// `None` if lengths are lengths.
     gradients: Option<Vec<WindingGradient>>,
 }
 

@@ -65,7 +65,7 @@ pub struct CalibratedModel {
 pub struct CalibrationOutcome {
     /// Free parameters.
     pub parameter_count: usize,
-    /// Mean position error on another record by the same sensors (m); nothing where no poses are measured.
+    /// Mean position error on another record by the same sensors (m); `None` if no poses are measured.
     pub validation_position_m: Option<f64>,
     /// Root mean square length error there (m).
     pub validation_length_m: f64,
@@ -169,7 +169,7 @@ impl CalibrationTable {
         points
     }
 
-    /// Calibration of a point's values; nothing for values of no point.
+    /// Calibration of a point's values; `None` for values of no point.
     pub fn at(&self, values: &[f64]) -> Option<CalibrationPoint<'_>> {
         let [.., sensor, model, poses] = values else { return None };
         let number = |value: &f64| (*value as usize).checked_sub(1);
@@ -180,7 +180,7 @@ impl CalibrationTable {
 }
 
 impl PoseSensor {
-    /// Accuracies of all sensors, those of lengths and tensions as a study has them; nothing where poses are not measured. `lever` is the distance of the
+    /// Accuracies of all sensors, those of lengths and tensions as a study has them; `None` if poses are not measured. `lever` is the distance of the
     /// platform's anchors (m).
     pub(crate) fn sigmas(&self, of_study: SensorSigmas, lever: f64) -> Option<SensorSigmas> {
         let position = self.position_m?;

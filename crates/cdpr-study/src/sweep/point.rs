@@ -15,7 +15,7 @@ pub struct Row {
     pub point: usize,
     /// Value of each parameter.
     pub values: Vec<f64>,
-    /// Size in which the machine is wrench-feasible; nothing without tension limits.
+    /// Size in which the machine is wrench-feasible; `None` without tension limits.
     pub physical: Option<f64>,
     /// Size reached with tensions within their limits, whatever the error.
     pub reachable: Option<f64>,

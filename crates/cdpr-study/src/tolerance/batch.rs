@@ -57,7 +57,7 @@ impl Batch {
         Some(Self { commanded, guesses: nominal.iter().map(|at| &at.outcome.pose).collect(), sent })
     }
 
-    /// The emerging poses, `None` where there is no answer; nothing where the batch cannot be asked.
+    /// The emerging poses, `None` where there is no answer; `None` if the batch cannot be asked.
     pub(super) fn answers(
         &self,
         machine: &Model,

@@ -116,7 +116,7 @@ fn position_error(at: &PoseSensitivity, command: &CommandedPose) -> f64 {
 
 impl Deviations {
     /// Largest estimated error of derivatives by differences, as a share of the largest derivative by a number of the same
-    /// unit at the same pose; nothing for analytic ones.
+    /// unit at the same pose; `None` for analytic ones.
     pub fn difference_error(&self) -> Option<f64> {
         let mut worst = None;
         for derivatives in self.poses.iter().filter_map(|at| at.derivatives.as_ref().ok()) {

@@ -17,7 +17,7 @@ use cdpr_model::model::Model;
 #[derive(Clone, Debug)]
 pub(crate) struct PlatformInterference<'a> {
     model: &'a Model,
-    /// In platform axes, one per cable; none where the anchor is not judged.
+    /// In platform axes, one per cable; `None` if the anchor is not judged.
     cones: Vec<Option<Cone>>,
     angle: f64,
 }

@@ -20,7 +20,7 @@ pub struct Measure {
 }
 
 impl Hull {
-    /// Measure of the space that the faces enclose; nothing where the region is not star-shaped about the centre.
+    /// Measure of the space that the faces enclose; `None` if the region is not star-shaped about the centre.
     pub fn measure(&self) -> Option<Measure> {
         if !self.is_star_shaped() {
             return None;

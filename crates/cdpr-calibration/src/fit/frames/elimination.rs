@@ -39,7 +39,7 @@ struct Factors {
 }
 
 impl Eliminated {
-    /// Nothing where a row is not finite.
+    /// `None` if a row is not finite.
     pub(super) fn of(fitted: &Fitted, parameters: &[Parameter], directions: &Directions) -> Option<Self> {
         let count = directions.list.len();
         let is_held = |place: usize| is_at_bound(fitted.values[place], fitted.start[place], parameters[place].bounds());

@@ -26,7 +26,7 @@ const FEWEST: usize = 12;
 /// A small part of what is ignored is near enough.
 const ROUGHLY: End = End { steps: 10, size: 1e-5 };
 
-/// Frames that poses need to fit a robot, with the reason in words; nothing where they fit as they are, or in no other frame either.
+/// Frames that poses need to fit a robot, with the reason in words; `None` if they fit as they are, or in no other frame either.
 ///
 /// Misfits are those of point outlets with offsets and scales of the recorded lengths fitted, the typical one of all samples.
 pub(crate) fn frames_that_fit(

@@ -26,7 +26,7 @@ pub(super) struct Cable {
 }
 
 impl Cable {
-    /// Nothing where the kernel does not know a parameter.
+    /// `None` if the kernel does not know a parameter.
     pub(super) fn of(block: Block) -> Option<Self> {
         let places = block.places_of_lengths()?.to_vec();
         let start = block.values(&block.start).collect();

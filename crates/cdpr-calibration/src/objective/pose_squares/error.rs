@@ -28,7 +28,7 @@ pub(super) struct Error<L> {
 }
 
 impl<L: Lanes> Error<L> {
-    /// Nothing where a rotation is too large.
+    /// `None` if a rotation is too large.
     #[inline(always)]
     pub(super) fn of(l: L, measured: &PoseLines, predicted: &[L; 7]) -> Option<Self> {
         let mut from = [l; 7];

@@ -47,7 +47,7 @@ pub(super) struct PoseSquares {
     predicted: Vec<PoseLines>,
     /// Derivatives where JᵀJ was summed last, parameter by parameter of a group.
     derivatives: Vec<Line>,
-    /// Those values; none where predictions begin at the measured poses.
+    /// Those values; `None` if predictions begin at the measured poses.
     values: Option<Vec<f64>>,
     /// Values at which JᵀJ was summed last, with it.
     summed_at: Option<(Vec<f64>, DMatrix<f64>)>,
@@ -56,7 +56,7 @@ pub(super) struct PoseSquares {
 }
 
 impl PoseSquares {
-    /// Nothing where predictions are not plain.
+    /// `None` if predictions are not plain.
     pub(super) fn of(
         model: &Model,
         samples: &Samples,
@@ -151,7 +151,7 @@ impl PoseSquares {
         change.dot(&(hessian * &change)) <= samples * most * most
     }
 
-    /// Takes the cables to parameter values: the change of these since the predictions, nothing where they are the measured poses.
+    /// Takes the cables to parameter values: the change of these since the predictions; empty if they are the measured poses.
     fn prepare(&mut self, values: &[f64]) -> Vec<f64> {
         let mut rest = values;
         for cable in &mut self.cables {
@@ -224,7 +224,7 @@ struct Rows<L> {
 }
 
 impl<L: Lanes> Rows<L> {
-    /// Nothing where an error is too large.
+    /// `None` if an error is too large.
     #[inline(always)]
     fn of(l: L, eight: &Eight<L>, (measured, units, count): (&PoseLines, &[f64; 6], usize)) -> Option<Self> {
         let mut of_group = [[0.0; LANES]; 6];

@@ -131,7 +131,7 @@ impl<'a> PoselessVectors<'a> {
         self.least = f64::INFINITY;
     }
 
-    /// Poses near those that searches begin at; nothing where a search does not settle.
+    /// Poses near those that searches begin at; `None` if a search does not settle.
     fn find(&mut self, model: &Model, values: &[f64]) -> Option<Vec<Pose>> {
         let recorded = self.recorded(model, values)?;
         let mut poses = self.base.clone();

@@ -52,7 +52,7 @@ pub(super) struct Found {
 }
 
 impl Search<'_> {
-    /// The pose at which the lengths fit best, from one near it; nothing where the search does not settle.
+    /// The pose at which the lengths fit best, from one near it; `None` if the search does not settle.
     pub(super) fn find(&self, from: &Pose, directions: &[Twist]) -> Option<Found> {
         match directions.len() {
             0 => Some(Found { pose: *from, square: self.slope::<0>(from, &[]).square }),

@@ -27,7 +27,7 @@ const MANY: usize = 8;
 
 impl PoselessVectors<'_> {
     /// The best pose of every sample: from the one found last, the guess, and the poses of the samples before and behind it; of doubtful samples from those
-    /// that the forward problem tries besides, and from orientations of all kinds. Nothing where a sample has none.
+    /// that the forward problem tries besides, and from orientations of all kinds. `None` if a sample has none.
     pub(super) fn seek(&mut self, model: &Model, values: &[f64]) -> Option<Vec<Pose>> {
         let recorded = self.recorded(model, values)?;
         let from = |sample: usize, pose: &Pose| {

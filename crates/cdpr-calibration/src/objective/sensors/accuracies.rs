@@ -74,7 +74,7 @@ impl Weights {
         self.sigma(sensor).map_or(0.0, f64::recip)
     }
 
-    /// σ of a sensor's rows; nothing where they count as exact.
+    /// σ of a sensor's rows; `None` if they count as exact.
     pub(crate) fn sigma(&self, sensor: Sensor) -> Option<f64> {
         match sensor {
             Sensor::Length => Some(self.length),

@@ -70,7 +70,7 @@ impl SampleSensors<'_> {
         self.directions[sample].len() + if self.layout.balances { self.layout.m } else { 0 }
     }
 
-    /// Residuals and derivatives at a pose with tensions, by rows of no parameters; nothing where a cable has no path.
+    /// Residuals and derivatives at a pose with tensions, by rows of no parameters; `None` if a cable has no path.
     pub(super) fn rows(&self, rows: &RowModel<'_>, sample: usize, at: &Latent) -> Option<Rows> {
         let Layout { m, n, balances, .. } = *self.layout;
         let (model, directions) = (rows.model, &self.directions[sample]);

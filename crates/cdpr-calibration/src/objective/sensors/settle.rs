@@ -43,7 +43,7 @@ impl Settled {
 }
 
 impl SampleSensors<'_> {
-    /// Pose and tensions that make the squares of a sample least, from some near them; nothing where it has no rows.
+    /// Pose and tensions that make the squares of a sample least, from some near them; `None` if it has no rows.
     pub(super) fn settle(&self, model: &RowModel<'_>, sample: usize, from: &Latent) -> Option<Settled> {
         let mut here = (from.clone(), self.rows(model, sample, from)?);
         let (mut damping, mut gain, mut is_slow) = (DAMPING, f64::INFINITY, false);
@@ -111,7 +111,7 @@ impl SampleSensors<'_> {
     }
 }
 
-/// A damped step with columns of unit size, and the squares that it promises to gain; nothing where the curvature goes down somewhere.
+/// A damped step with columns of unit size, and the squares that it promises to gain; `None` if the curvature goes down somewhere.
 fn newton_step(rows: &Rows, mut curvature: DMatrix<f64>, damping: f64) -> Option<(DVector<f64>, f64)> {
     let size = |column: usize| rows.by_latent.column(column).norm().max(f64::MIN_POSITIVE).recip();
     let scale: Vec<f64> = (0..rows.by_latent.ncols()).map(size).collect();

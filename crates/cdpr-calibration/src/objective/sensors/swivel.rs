@@ -33,7 +33,7 @@ impl Swivel {
         axis.zip(robot.gravity).is_some_and(|(axis, gravity)| axis.cross(&gravity).norm() > LEAST_PART * gravity.norm())
     }
 
-    /// Angle of a cable (0-based) at a pose; nothing without swivel axis and gravity, and where one of them or the platform anchor lies along the axis.
+    /// Angle of a cable (0-based) at a pose; `None` without swivel axis and gravity, and where one of them or the platform anchor lies along the axis.
     pub(super) fn of(model: &Model, cable: usize, pose: &Pose) -> Option<Self> {
         let (robot, rotation) = (model.robot(), pose.rotation_matrix());
         let own = &robot.cables[cable];

@@ -101,7 +101,7 @@ impl RowFile {
         folder.join("rows").join(format!("{point:05}-{short}.json"))
     }
 
-    /// The row of a point; nothing where it was not computed.
+    /// The row of a point; `None` if it was not computed.
     pub(super) fn read(folder: &Path, plan: &Plan, point: usize) -> Result<Option<Row>, Failure> {
         let path = Self::path(folder, plan, point);
         let Some(bytes) = files::read_if_there(&path, Size::Table)? else { return Ok(None) };

@@ -9,7 +9,7 @@ const STEPS: usize = 60;
 
 impl CableLaw {
     /// Tension at a geometric and a controlled length (m) with its derivatives, negative where a bar would push: what is clipped is the sum of
-    /// this and the damper's share. From a memory, or the one of the law; nothing for cables that do not stretch, and for those with weight.
+    /// this and the damper's share. From a memory, or the one of the law; `None` for cables that do not stretch, and for those with weight.
     #[inline]
     pub fn continued_tension(
         &self,

@@ -94,7 +94,7 @@ impl CableLaw {
         }
     }
 
-    /// The motion of a straight cable that remembers to its state, and ∂q_θ/∂ε at its end at fixed tension (m); nothing for other cables.
+    /// The motion of a straight cable that remembers to its state, and ∂q_θ/∂ε at its end at fixed tension (m); `None` for other cables.
     pub fn motion(&self, state: &CableState) -> Option<(Motion, f64)> {
         let (Stretch::Hysteresis(law, memory), Kind::Stretching) = (&self.stretch, self.kind) else { return None };
         let motion = law.motion(state.outlet_tension, memory);

@@ -40,7 +40,7 @@ impl CableLaw {
         }
     }
 
-    /// Law of a straight cable in closed form; nothing for others.
+    /// Law of a straight cable in closed form; `None` for others.
     #[inline]
     pub(super) fn closed_form(&self) -> Option<Elasticity<f64>> {
         match self.kind {

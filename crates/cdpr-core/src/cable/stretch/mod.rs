@@ -106,7 +106,7 @@ impl Stretch {
         self.answer(StrainByNumber(tension, number))
     }
 
-    /// Memory of the cable after a monotone motion to this tension (N); nothing for laws without one.
+    /// Memory of the cable after a monotone motion to this tension (N); `None` for laws without one.
     #[inline]
     pub fn memory_at(&self, tension: f64) -> Option<Memory> {
         match self {

@@ -38,7 +38,7 @@ pub struct Move {
     pub cable: usize,
     /// Length that is paid out (m; below zero: wound in).
     pub by: f64,
-    /// Tensions that emerge (N); nothing where the machine comes to no rest.
+    /// Tensions that emerge (N); `None` if the machine comes to no rest.
     pub tensions: Option<Vec<f64>>,
 }
 

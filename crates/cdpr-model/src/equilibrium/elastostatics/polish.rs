@@ -67,7 +67,7 @@ impl solve::Problem for Polish<'_, '_> {
 }
 
 impl Problem<'_> {
-    /// Steps on pose and tensions from a pose near the solution; nothing where they do not lead there or change which
+    /// Steps on pose and tensions from a pose near the solution; `None` if they do not lead there or change which
     /// cables are taut.
     pub(super) fn polished(&self, rigid: &Rigid<'_>, end: &End, tensions: &[f64]) -> Option<(End, Vec<f64>)> {
         let load = self.full_load;

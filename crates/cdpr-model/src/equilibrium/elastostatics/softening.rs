@@ -11,7 +11,7 @@ const SOFTEST: f64 = 100.0;
 const STIFFER: f64 = 10.0;
 
 impl Problem<'_> {
-    /// Descends with no cable stiffer than a limit, which is raised until it limits none; nothing where cables are soft anyway or
+    /// Descends with no cable stiffer than a limit, which is raised until it limits none; `None` if cables are soft anyway or
     /// no load pulls on them.
     pub(super) fn attempt_from_soft(&self, start: &Pose, tensions: &mut Tensions) -> Option<Attempt> {
         let stiffest = self.springs.iter().flat_map(|springs| springs.stiffness).fold(0.0, f64::max);

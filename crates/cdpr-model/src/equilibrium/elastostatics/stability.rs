@@ -161,7 +161,7 @@ fn blocks_all(columns: &DMatrix<f64>) -> bool {
     balance.is_ok_and(|found| found.status == quadratic::Status::Feasible)
 }
 
-/// The structure matrix, turns as the way at the platform radius; nothing where a cable has no path.
+/// The structure matrix, turns as the way at the platform radius; `None` if a cable has no path.
 fn columns(problem: &Problem<'_>, pose: &Pose) -> Option<DMatrix<f64>> {
     let mut columns = problem.model.structure_matrix(pose).ok()?;
     for (row, mut entries) in columns.row_iter_mut().enumerate() {

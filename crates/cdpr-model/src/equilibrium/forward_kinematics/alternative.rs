@@ -19,7 +19,7 @@ pub struct Alternative {
 
 impl Solver<'_> {
     /// The best-fitting pose elsewhere, where the last solution leaves a residual that errors of measurement do not explain
-    /// (`suspicious_residual`); nothing where no other start leads to a better fit.
+    /// (`suspicious_residual`); `None` if no other start leads to a better fit.
     ///
     /// It takes as many descents as `max_restarts`, each as long as that of a solution.
     pub fn alternative(&mut self) -> Option<Alternative> {

@@ -32,7 +32,7 @@ impl Skipped {
         self.rows.values().map(|(_, error)| error).min_by_key(|error| error.line())
     }
 
-    /// The sentence for people; none where nothing is left out.
+    /// The sentence for people; `None` if nothing is left out.
     pub(super) fn words(&self, file_name: &str, of: usize) -> Option<String> {
         let reason = |(count, error): &(usize, ReadError)| {
             format!("{count} such as line {} ({})", error.line().unwrap_or_default(), error.message)
