@@ -141,8 +141,8 @@ mod tests {
                 (Tail::Cauchy.at(dimension, 1.0).threshold, 0.982_916),
                 (median_norm(dimension), 0.5),
             ] {
-                let share = probability(dimension, found);
-                assert!((share - expected).abs() < allowed, "{dimension}: {share} for {expected}");
+                let fraction = probability(dimension, found);
+                assert!((fraction - expected).abs() < allowed, "{dimension}: {fraction} for {expected}");
             }
         }
     }

@@ -112,15 +112,15 @@ impl Norms {
     }
 
     /// True where a sample lies beyond this share of the limit.
-    pub(super) fn any_beyond(&self, share: f64) -> bool {
-        (0..self.squares.len()).any(|sample| self.is_beyond(sample, share))
+    pub(super) fn any_beyond(&self, fraction: f64) -> bool {
+        (0..self.squares.len()).any(|sample| self.is_beyond(sample, fraction))
     }
 
     /// True where a sample lies beyond this share of the limit.
-    fn is_beyond(&self, sample: usize, share: f64) -> bool {
-        let limit = share * self.limit;
+    fn is_beyond(&self, sample: usize, fraction: f64) -> bool {
+        let limit = fraction * self.limit;
         let is_beyond = self.squares[sample] > limit * limit;
-        is_beyond && self.witness.as_ref().is_none_or(|witness| witness.is_beyond(sample, share))
+        is_beyond && self.witness.as_ref().is_none_or(|witness| witness.is_beyond(sample, fraction))
     }
 
     /// Samples beyond the limit, from 0.

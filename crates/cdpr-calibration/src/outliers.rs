@@ -78,7 +78,7 @@ pub(super) fn warning(outliers: &[Outlier], samples: usize, loss: Loss) -> Optio
     let largest = outliers.iter().max_by(|a, b| a.residual_m.total_cmp(&b.residual_m))?;
     let name = |outlier: &Outlier| place(outlier.line, outlier.sample);
     let listed = listed(outliers.iter().map(name));
-    let (count, share) = (outliers.len(), outliers.len() as f64 / samples as f64);
+    let (count, fraction) = (outliers.len(), outliers.len() as f64 / samples as f64);
     let (lie, them) = if count == 1 { ("lies", "it") } else { ("lie", "them") };
     let treated = match loss {
         Loss::Squared => {
@@ -88,7 +88,7 @@ pub(super) fn warning(outliers: &[Outlier], samples: usize, loss: Loss) -> Optio
         }
         loss => format!("the fit counts {them} less ({} loss), and the errors told leave {them} out", loss.name()),
     };
-    let many = match share > MANY {
+    let many = match fraction > MANY {
         true => "; so many are no accidents: check units, columns, clocks and the robot's file",
         false => "",
     };

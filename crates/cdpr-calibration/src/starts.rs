@@ -37,8 +37,9 @@ pub struct StartOptimum {
     pub cost: f64,
     /// Starts that ended here; 0 for one that joins the best ends of cables that were identified apart.
     pub starts: usize,
-    /// The same as a share of all starts.
-    pub share: f64,
+    /// The same as a fraction of all starts.
+    #[serde(rename = "share")]
+    pub fraction: f64,
     /// Largest difference of a parameter between two starts that ended here (m; others than lengths by their effect on cable lengths).
     pub spread_m: f64,
     /// Largest difference of a parameter from the best optimum (m).
@@ -124,7 +125,7 @@ impl Search<'_> {
         let tell = |found: &Found<L::End>| StartOptimum { distance_m: distance(found), ..found.told.clone() };
         told.optima = found.iter().map(tell).collect();
         let count = told.count as f64;
-        told.optima.iter_mut().for_each(|optimum| optimum.share = optimum.starts as f64 / count);
+        told.optima.iter_mut().for_each(|optimum| optimum.fraction = optimum.starts as f64 / count);
         told
     }
 
@@ -187,7 +188,7 @@ impl Search<'_> {
 
 impl StartOptimum {
     fn new<E: Ending>(ends: &[E], starts: usize) -> Self {
-        Self { cost: cost(ends), starts, share: starts as f64, spread_m: 0.0, distance_m: 0.0 }
+        Self { cost: cost(ends), starts, fraction: starts as f64, spread_m: 0.0, distance_m: 0.0 }
     }
 }
 

@@ -67,8 +67,8 @@ impl StoppedBy {
 
     /// The end that says least of an optimum, of searches that were apart.
     pub(super) fn worst(all: impl IntoIterator<Item = Self>) -> Option<Self> {
-        let share = |stopped: &Self| stopped.value / stopped.limit;
-        all.into_iter().max_by(|a, b| a.rule.cmp(&b.rule).then(share(a).total_cmp(&share(b))))
+        let fraction = |stopped: &Self| stopped.value / stopped.limit;
+        all.into_iter().max_by(|a, b| a.rule.cmp(&b.rule).then(fraction(a).total_cmp(&fraction(b))))
     }
 }
 

@@ -59,10 +59,10 @@ impl Plant {
         self.look_at_drums(state)?;
         let (start, center) = (state.momentum, state.inertia.center(&state.pose));
         let (mut sum, mut rate) = (Momentum::default(), Momentum::default());
-        for (share, weight) in STAGES {
-            let momentum = added(&start, &rate, share * time);
+        for (fraction, weight) in STAGES {
+            let momentum = added(&start, &rate, fraction * time);
             let twist = state.inertia.twist(&state.pose, &momentum);
-            let wrench = self.accelerate(state, commands, &twist, share * time) + load + state.inertia.drag(&twist);
+            let wrench = self.accelerate(state, commands, &twist, fraction * time) + load + state.inertia.drag(&twist);
             rate = state.inertia.rate(&center, &wrench);
             sum = added(&sum, &rate, weight);
             state.pulls.drums.iter_mut().for_each(|work| work.sum += weight * work.acceleration);

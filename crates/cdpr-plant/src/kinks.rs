@@ -41,9 +41,9 @@ impl Plant {
             let Changes { kink, turn } = self.changes(state);
             if let Some(kink) = kink {
                 left *= 1.0 - self.go_to_kink(state, commands, left, kink)?;
-            } else if let Some(share) = self.turn_on_other_side(state, commands, left, turn)? {
-                behind += (1.0 - share) * left;
-                left *= share;
+            } else if let Some(fraction) = self.turn_on_other_side(state, commands, left, turn)? {
+                behind += (1.0 - fraction) * left;
+                left *= fraction;
             } else if behind > 0.0 {
                 (left, behind) = (behind, 0.0);
             } else {
@@ -91,15 +91,15 @@ impl Plant {
         let mut changes = Changes { kink: None, turn: None };
         for (cable, start) in state.pulls.start.cables.iter().enumerate() {
             let end = self.unclipped(state, cable);
-            let (first, share) = if (start.sum > 0.0) != (end > 0.0) {
+            let (first, fraction) = if (start.sum > 0.0) != (end > 0.0) {
                 (&mut changes.kink, start.sum / (start.sum - end))
-            } else if let Some(share) = turn(start.sum, start.middle, end) {
-                (&mut changes.turn, share)
+            } else if let Some(fraction) = turn(start.sum, start.middle, end) {
+                (&mut changes.turn, fraction)
             } else {
                 continue;
             };
-            if share > END && share < 1.0 - END && first.is_none_or(|(_, least)| share < least) {
-                *first = Some((cable, share));
+            if fraction > END && fraction < 1.0 - END && first.is_none_or(|(_, least)| fraction < least) {
+                *first = Some((cable, fraction));
             }
         }
         changes
@@ -115,22 +115,22 @@ impl Plant {
     ) -> Result<f64, StepError> {
         let start = state.pulls.start.cables[cable].sum;
         let (mut before, mut after) = ((0.0, start), (1.0, self.unclipped(state, cable)));
-        let mut share = guess;
+        let mut fraction = guess;
         for look in 1..=LOOKS {
             Self::restore_start(state);
-            self.stages(state, commands, share * time)?;
+            self.stages(state, commands, fraction * time)?;
             if look == LOOKS {
                 break;
             }
-            let found = (share, self.unclipped(state, cable));
+            let found = (fraction, self.unclipped(state, cable));
             let next = crossing(before, found, after);
             match (found.1 > 0.0) == (start > 0.0) {
                 true => before = found,
                 false => after = found,
             }
-            share = if next > END && next < 1.0 - END { next } else { share };
+            fraction = if next > END && next < 1.0 - END { next } else { fraction };
         }
-        Ok(share)
+        Ok(fraction)
     }
 
     /// The share of the stages after which a cable that ends on its side turns on the other one; the state is back at their start then, and else at
@@ -142,16 +142,16 @@ impl Plant {
         time: f64,
         turn: Option<(usize, f64)>,
     ) -> Result<Option<f64>, StepError> {
-        let Some((cable, share)) = turn else { return Ok(None) };
+        let Some((cable, fraction)) = turn else { return Ok(None) };
         let start = state.pulls.start.cables[cable].sum;
         Self::restore_start(state);
-        self.stages(state, commands, share * time)?;
+        self.stages(state, commands, fraction * time)?;
         let turns = (self.unclipped(state, cable) > 0.0) != (start > 0.0);
         Self::restore_start(state);
         if !turns {
             self.stages(state, commands, time)?;
         }
-        Ok(turns.then_some(share))
+        Ok(turns.then_some(fraction))
     }
 }
 

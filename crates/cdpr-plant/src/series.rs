@@ -35,9 +35,9 @@ impl Series {
         let after = self.times.partition_point(|&other| other <= time);
         let (low, high) = (after.saturating_sub(1), after.min(self.times.len() - 1));
         let width = self.times[high] - self.times[low];
-        let share = if width > 0.0 { (time - self.times[low]) / width } else { 0.0 };
+        let fraction = if width > 0.0 { (time - self.times[low]) / width } else { 0.0 };
         for (entry, (a, b)) in row.iter_mut().zip(self.rows[low].iter().zip(&self.rows[high])) {
-            *entry = a + (b - a) * share;
+            *entry = a + (b - a) * fraction;
         }
     }
 }

@@ -57,8 +57,8 @@ impl Plant {
             self.kick(state, commands, kick * time)?;
             if index == MIDDLE {
                 // half of the kick lies before the middle
-                let share = if self.dissipates { 0.5 } else { 0.0 };
-                self.note_middle(state, |noted, after| after + share * (noted - after));
+                let fraction = if self.dissipates { 0.5 } else { 0.0 };
+                self.note_middle(state, |noted, after| after + fraction * (noted - after));
             }
             self.drift(state, drift * time)?;
         }
@@ -170,6 +170,6 @@ impl Plant {
 
 /// a + s b.
 #[inline]
-pub(super) fn added(a: &Momentum, b: &Momentum, share: f64) -> Momentum {
-    Momentum { linear: a.linear + b.linear * share, angular: a.angular + b.angular * share }
+pub(super) fn added(a: &Momentum, b: &Momentum, fraction: f64) -> Momentum {
+    Momentum { linear: a.linear + b.linear * fraction, angular: a.angular + b.angular * fraction }
 }

@@ -161,12 +161,12 @@ impl Tensions {
         };
         let has_limits =
             machine.robot().cables.iter().any(|cable| cable.tension_min.is_some() || cable.tension_max.is_some());
-        let share = || rows.iter().filter(is_outside).count() as f64 / rows.len() as f64;
+        let fraction = || rows.iter().filter(is_outside).count() as f64 / rows.len() as f64;
         Self {
             min: all().reduce(f64::min),
             max: all().reduce(f64::max),
             slack_samples: rows.iter().filter(|row| row.contains(&0.0)).count(),
-            outside_limits_share: (has_limits && !rows.is_empty()).then(share),
+            outside_limits_share: (has_limits && !rows.is_empty()).then(fraction),
         }
     }
 }

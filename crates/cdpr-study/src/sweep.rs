@@ -188,11 +188,11 @@ impl Parameter {
         if !(2..=MOST_POINTS).contains(&count) {
             return Err(ValuesReason::Count);
         }
-        let share = |index: usize| index as f64 / (count - 1) as f64;
+        let fraction = |index: usize| index as f64 / (count - 1) as f64;
         match self.spacing {
-            Spacing::Linear => Ok((0..count).map(|index| from + (to - from) * share(index)).collect()),
+            Spacing::Linear => Ok((0..count).map(|index| from + (to - from) * fraction(index)).collect()),
             Spacing::Logarithmic if from > 0.0 && to > 0.0 => {
-                Ok((0..count).map(|index| from * (to / from).powf(share(index))).collect())
+                Ok((0..count).map(|index| from * (to / from).powf(fraction(index))).collect())
             }
             Spacing::Logarithmic => Err(ValuesReason::Logarithm),
         }

@@ -99,7 +99,7 @@ impl Audit {
     }
 
     /// Size of the box divided by the number of points (m², m³).
-    fn share(&self) -> f64 {
+    fn fraction(&self) -> f64 {
         self.size / self.points.max(1) as f64
     }
 
@@ -124,12 +124,12 @@ impl Audit {
         let often = limits((self.missed + self.added) as f64, surprise)[1];
         let away = surprise / 3.0 + (surprise * surprise / 9.0 + 2.0 * often * surprise).sqrt();
         let mean = self.missed as f64 - self.added as f64;
-        [(mean - away).max(apart[0]), (mean + away).min(apart[1])].map(|count| count * self.share())
+        [(mean - away).max(apart[0]), (mean + away).min(apart[1])].map(|count| count * self.fraction())
     }
 
     /// Least size of the part of the region that was missed (m², m³), with [`CONFIDENCE`].
     pub(crate) fn missed_at_least(&self) -> f64 {
-        limits(self.missed as f64, surprise())[0] * self.share()
+        limits(self.missed as f64, surprise())[0] * self.fraction()
     }
 }
 
@@ -179,8 +179,8 @@ impl Iterator for Drawn<'_> {
         let cell = [index % columns, index / columns % rows, index / columns / rows];
         let mut point = [0.0; 3];
         for (axis, along) in point.iter_mut().enumerate().take(self.bounds.dimension()) {
-            let share = (cell[axis] as f64 + self.random.random::<f64>()) / self.counts[axis] as f64;
-            *along = self.bounds.least()[axis] + share * self.bounds.extent(axis);
+            let fraction = (cell[axis] as f64 + self.random.random::<f64>()) / self.counts[axis] as f64;
+            *along = self.bounds.least()[axis] + fraction * self.bounds.extent(axis);
         }
         Some(point)
     }

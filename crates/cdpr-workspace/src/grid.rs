@@ -99,8 +99,8 @@ impl Grid {
         };
         let mut point = [0.0; 3];
         for axis in 0..self.bounds.dimension() {
-            let share = (cell[axis] as f64 + 0.5) / self.counts[axis] as f64;
-            point[axis] = self.bounds.least()[axis] + share * self.bounds.extent(axis);
+            let fraction = (cell[axis] as f64 + 0.5) / self.counts[axis] as f64;
+            point[axis] = self.bounds.least()[axis] + fraction * self.bounds.extent(axis);
         }
         point
     }

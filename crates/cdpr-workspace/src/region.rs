@@ -185,8 +185,8 @@ impl<'a> Region<'a> {
         #[cfg(feature = "parallel")]
         {
             use rayon::prelude::*;
-            let shares = points.par_chunks(BATCH).zip(answers.par_chunks_mut(BATCH));
-            shares.for_each(|(points, answers)| self.holds_batch(points, answers));
+            let fractions = points.par_chunks(BATCH).zip(answers.par_chunks_mut(BATCH));
+            fractions.for_each(|(points, answers)| self.holds_batch(points, answers));
         }
         #[cfg(not(feature = "parallel"))]
         for (points, answers) in points.chunks(BATCH).zip(answers.chunks_mut(BATCH)) {
@@ -227,8 +227,8 @@ fn spread(model: &Model, besides: UnitQuaternion<f64>, count: usize) -> Vec<Unit
     let (phi, psi) = (std::f64::consts::SQRT_2, 1.533_751_168_755_204_3);
     let at = |index: usize| {
         let s = index as f64 + 0.5;
-        let share = s / count as f64;
-        let (inner, outer) = (share.sqrt(), (1.0 - share).sqrt());
+        let fraction = s / count as f64;
+        let (inner, outer) = (fraction.sqrt(), (1.0 - fraction).sqrt());
         let (alpha, beta) = (tau * s / phi, tau * s / psi);
         let quaternion =
             nalgebra::Quaternion::new(outer * beta.cos(), inner * alpha.sin(), inner * alpha.cos(), outer * beta.sin());

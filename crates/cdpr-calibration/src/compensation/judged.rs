@@ -83,8 +83,8 @@ impl Judged {
     /// A gain that is worth a map.
     fn worth(&self) -> Rule {
         let [before, after] = [self.without, self.with].map(|errors| errors.length_error_m.rms);
-        let (words, share) = (mm("length errors are", "rms", [before, after]), 1e2 * WORTH);
-        let words = format!("{words} (less than {share:.0} % of that are asked)");
+        let (words, fraction) = (mm("length errors are", "rms", [before, after]), 1e2 * WORTH);
+        let words = format!("{words} (less than {fraction:.0} % of that are asked)");
         Rule { holds: after < WORTH * before, words }
     }
 

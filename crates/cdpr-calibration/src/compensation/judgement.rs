@@ -110,5 +110,5 @@ pub fn evaluate_compensated(
     map: &Compensation,
 ) -> Result<(Evaluation, Beyond), EvaluationError> {
     let evaluation = evaluate_corrected(model, samples, map)?;
-    Ok((evaluation, Beyond::of(samples.poses.iter().map(|pose| map.at(pose).share))))
+    Ok((evaluation, Beyond::of(samples.poses.iter().map(|pose| map.at(pose).fraction))))
 }

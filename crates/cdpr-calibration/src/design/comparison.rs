@@ -58,6 +58,6 @@ pub(super) fn curve(
 pub(super) fn against_grid(information: &Information, grid: &[usize], of_plan: Option<f64>) -> GridComparison {
     let summary = information.summary(grid);
     let parameters = information.parameter_count() as f64;
-    let share = |plan: f64| summary.log_det.map_or(0.0, |grid| ((grid - plan) / parameters).exp());
-    GridComparison { log_det: summary.log_det, efficiency: of_plan.map(share) }
+    let fraction = |plan: f64| summary.log_det.map_or(0.0, |grid| ((grid - plan) / parameters).exp());
+    GridComparison { log_det: summary.log_det, efficiency: of_plan.map(fraction) }
 }

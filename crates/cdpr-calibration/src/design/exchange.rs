@@ -26,13 +26,13 @@ pub(super) struct Found {
     /// Starts, fewer than asked for where they would take long.
     pub(super) starts: u32,
     /// Share of the starts that ended at the same score.
-    pub(super) share: f64,
+    pub(super) fraction: f64,
 }
 
 /// Looks for the best set: one that grows pose by pose and random ones are improved by exchanges until none helps.
 pub(super) fn search(information: &Information, samples: &Samples, settings: &PlanSettings) -> Found {
     if settings.criterion == DesignCriterion::Factorial {
-        return Found { chosen: factorial::design(samples, settings.count), starts: 1, share: 1.0 };
+        return Found { chosen: factorial::design(samples, settings.count), starts: 1, fraction: 1.0 };
     }
     // exchanges take some five passes
     let of_start = 5.0 * settings.count as f64 * information.candidates() as f64 * information.effort();
@@ -51,10 +51,10 @@ pub(super) fn search(information: &Information, samples: &Samples, settings: &Pl
     });
     let best = ends.iter().map(|(score, _)| *score).fold(f64::INFINITY, f64::min);
     let is_best = |score: f64| score <= best + 1e-9 * best.abs().max(1.0);
-    let share = ends.iter().filter(|(score, _)| is_best(*score)).count() as f64 / ends.len() as f64;
+    let fraction = ends.iter().filter(|(score, _)| is_best(*score)).count() as f64 / ends.len() as f64;
     let mut chosen = ends.into_iter().find(|(score, _)| is_best(*score)).map(|(_, chosen)| chosen).unwrap_or_default();
     chosen.sort_unstable();
-    Found { chosen, starts, share }
+    Found { chosen, starts, fraction }
 }
 
 /// Criterion that a start is improved by before its own. The least of many eigenvalues hardly ever grows by one exchange, so that smooth measures lead the

@@ -55,8 +55,9 @@ pub struct Plan {
     pub i_value: Option<f64>,
     /// Sets from which exchanges started, and the share of them that led to the plan's value.
     pub starts: u32,
-    /// Share of the starts that ended there.
-    pub share: f64,
+    /// Fraction of the starts that ended there.
+    #[serde(rename = "share")]
+    pub fraction: f64,
     /// log det over the number of poses.
     pub curve: Vec<CurvePoint>,
     /// The plain grid of as many poses.
@@ -99,7 +100,7 @@ pub fn plan(
         trace_inverse: summary.trace_inverse,
         i_value: summary.i_value,
         starts: found.starts,
-        share: found.share,
+        fraction: found.fraction,
         curve: curve(&information, samples, settings, summary.log_det),
         grid: against_grid(&information, &grid, summary.log_det),
         all_log_det: information.summary(&(0..most).collect::<Vec<_>>()).log_det,

@@ -179,9 +179,9 @@ impl Linearization {
             self.write(model, samples, sample, rows);
             if let Some(loss) = loss {
                 let square = rows.square(weight);
-                let share = loss.weight(square);
-                rows.scale(share.sqrt());
-                equations.add_to_cost(loss.cost(square) - share * square);
+                let fraction = loss.weight(square);
+                rows.scale(fraction.sqrt());
+                equations.add_to_cost(loss.cost(square) - fraction * square);
             }
             equations.add(weight, rows);
         }

@@ -175,7 +175,7 @@ impl<'a> Course<'a> {
     /// Square of the noise of a parameter in units of the weights, as its deviation has it: the rise one deviation away, by the curvature at the
     /// optimum. Correlated samples and residuals beyond the accuracies enlarge the one as they enlarge the other.
     fn noise_square(&self, place: usize, sigma: f64, refitted_at_optimum: f64) -> Result<f64, InputError> {
-        let shifts = [-NEAR, NEAR].map(|share| share * sigma);
+        let shifts = [-NEAR, NEAR].map(|fraction| fraction * sigma);
         let inside = shifts.into_iter().filter(|&shift| self.is_inside(place, shift));
         let rises = inside.map(|shift| Ok(self.refitted(place, shift)? - refitted_at_optimum));
         let rises: Vec<f64> = rises.collect::<Result<_, InputError>>()?;

@@ -146,8 +146,8 @@ impl Question<'_> {
             }
         };
         let last = self.path.points.max(2) - 1;
-        let share = |point: usize| least.powf(point as f64 / last as f64);
-        (0..=last).map(|point| top * share(point)).chain([0.0]).collect()
+        let fraction = |point: usize| least.powf(point as f64 / last as f64);
+        (0..=last).map(|point| top * fraction(point)).chain([0.0]).collect()
     }
 }
 

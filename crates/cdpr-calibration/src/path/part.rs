@@ -160,8 +160,8 @@ impl<'a> Part<'a> {
         let Quadratic { value, hessian, .. } = &self.here.quadratic;
         let curvature = hessian.diagonal().max();
         let is_slope = lambda.is_finite() && !self.ridge.contains(&true);
-        let share = if is_slope { EXACT * lambda } else { 0.0 };
-        share + ROUNDING.0 * curvature + ROUNDING.1 * (2.0 * value * curvature).sqrt()
+        let fraction = if is_slope { EXACT * lambda } else { 0.0 };
+        fraction + ROUNDING.0 * curvature + ROUNDING.1 * (2.0 * value * curvature).sqrt()
     }
 
     fn with_ridge(&self, place: &Place, lambda: f64, damping: f64) -> Quadratic {

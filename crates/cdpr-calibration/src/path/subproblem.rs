@@ -125,8 +125,8 @@ impl Subproblem<'_> {
         }
         let eigen = SymmetricEigen::new(curvature);
         let along = eigen.eigenvectors.tr_mul(&slope);
-        let share = |i: usize, norm: f64| along[i] / (eigen.eigenvalues[i].max(0.0) * norm + strength);
-        let is_short = |norm: f64| (0..members.len()).map(|i| share(i, norm).powi(2)).sum::<f64>() > 1.0;
+        let fraction = |i: usize, norm: f64| along[i] / (eigen.eigenvalues[i].max(0.0) * norm + strength);
+        let is_short = |norm: f64| (0..members.len()).map(|i| fraction(i, norm).powi(2)).sum::<f64>() > 1.0;
         let (mut low, mut high) = (0.0, 1.0);
         let mut doublings = 0;
         while is_short(high) {
@@ -139,7 +139,7 @@ impl Subproblem<'_> {
             let middle = 0.5 * (low + high);
             if is_short(middle) { low = middle } else { high = middle }
         }
-        let found = &eigen.eigenvectors * DVector::from_fn(members.len(), |i, _| -high * share(i, high));
+        let found = &eigen.eigenvectors * DVector::from_fn(members.len(), |i, _| -high * fraction(i, high));
         found.iter().copied().collect()
     }
 
@@ -241,8 +241,8 @@ impl Subproblem<'_> {
     /// Shares of a step at which a coefficient with a penalty of its own passes zero.
     fn kinks(&self, z: &DVector<f64>, step: &DVector<f64>) -> Vec<f64> {
         let alone = self.groups.iter().filter(|group| group.weight > 0.0 && group.members.len() == 1);
-        let share = alone.map(|group| group.members[0]).map(|k| -z[k] / step[k]);
-        share.filter(|t| *t > 0.0 && *t < 1.0).collect()
+        let fraction = alone.map(|group| group.members[0]).map(|k| -z[k] / step[k]);
+        fraction.filter(|t| *t > 0.0 && *t < 1.0).collect()
     }
 
     /// Share of a step up to the first bound.

@@ -81,8 +81,8 @@ fn pulls(data: &Samples, cable: usize, values: &[f64]) -> [f64; 6] {
     let mut sum = [0.0; 6];
     for (sample, pose) in data.poses.iter().enumerate() {
         let along = a - pose.position - pose.rotation * b;
-        let share = (along.norm() - data.lengths_of(sample)[cable]) / (SIGMA * SIGMA);
-        let (by_a, by_b) = (along.normalize() * share, pose.rotation.inverse() * along.normalize() * -share);
+        let fraction = (along.norm() - data.lengths_of(sample)[cable]) / (SIGMA * SIGMA);
+        let (by_a, by_b) = (along.normalize() * fraction, pose.rotation.inverse() * along.normalize() * -fraction);
         (0..3).for_each(|k| (sum[k], sum[3 + k]) = (sum[k] + by_a[k], sum[3 + k] + by_b[k]));
     }
     sum

@@ -31,8 +31,8 @@ pub(super) fn validated(
 ) -> Result<Option<Validated>, InputError> {
     let mut series = vec![Vec::new(); places.len()];
     for fold in folds {
-        let share = fold.train.len() as f64 / followed as f64;
-        let lambdas: Vec<f64> = places.iter().map(|place| place.lambda * share).collect();
+        let fraction = fold.train.len() as f64 / followed as f64;
+        let lambdas: Vec<f64> = places.iter().map(|place| place.lambda * fraction).collect();
         let of_fold = match folds.len() {
             1 => places.to_vec(),
             _ => question.follow(&samples.subset(&fold.train), Some(&lambdas))?,

@@ -12,9 +12,9 @@ pub(super) fn warning(fit: &Fit, settings: &Settings) -> Option<String> {
     if prior_sigma(settings, ParameterKind::TensionScale).is_some() {
         return None;
     }
-    let share = |sigma: Option<f64>, value: f64| sigma.map_or(f64::INFINITY, |sigma| (sigma / value).abs());
+    let fraction = |sigma: Option<f64>, value: f64| sigma.map_or(f64::INFINITY, |sigma| (sigma / value).abs());
     let cells = fit.parameters.iter().filter(|estimate| is_scale(estimate.parameter.kind));
-    let largest = cells.map(|cell| share(cell.sigma, cell.value)).fold(0.0, f64::max);
+    let largest = cells.map(|cell| fraction(cell.sigma, cell.value)).fold(0.0, f64::max);
     (largest > UNTOLD).then(|| {
         let known = if largest.is_finite() { format!("to {:.0} %", 100.0 * largest) } else { "not at all".to_owned() };
         format!(

@@ -38,8 +38,8 @@ impl Question<'_> {
     /// Kept parameters after the motion of everything together that brings the held ones back to the file's values, where rows stay what they are.
     fn moved_back(&self, gauge: &Gauge, mut values: Vec<f64>, poses: &[Pose]) -> Option<Vec<f64>> {
         let mut poses = poses.to_vec();
-        let moved = |values: &[f64], change: &DVector<f64>, share: f64| -> Vec<f64> {
-            values.iter().zip(change.iter()).map(|(value, change)| value + share * change).collect()
+        let moved = |values: &[f64], change: &DVector<f64>, fraction: f64| -> Vec<f64> {
+            values.iter().zip(change.iter()).map(|(value, change)| value + fraction * change).collect()
         };
         for step in 0..STEPS {
             // the classical method of Runge and Kutta

@@ -117,8 +117,10 @@ fn optima_are_told_with_the_share_of_starts_that_ended_there() {
     let [first, second] = &starts.optima[..] else { panic!("{starts:?}") };
     assert_eq!((best.place[0], first.cost, second.cost), (0.3, 4.0, 5.0));
     // of a range of 1 m: 0.6 m lead to the one, 0.3 m to the other, 0.1 m nowhere; a Sobol sequence misses such shares by a few points
-    for (share, expected) in [(first.share, 0.3), (second.share, 0.6), (starts.unconverged as f64 / 201.0, 0.1)] {
-        assert!((share - expected).abs() < 0.02, "{share} {expected}");
+    for (fraction, expected) in
+        [(first.fraction, 0.3), (second.fraction, 0.6), (starts.unconverged as f64 / 201.0, 0.1)]
+    {
+        assert!((fraction - expected).abs() < 0.02, "{fraction} {expected}");
     }
     assert_eq!(first.starts + second.starts + starts.unconverged, starts.count);
     // the flat valley is no optimum for every start
@@ -140,5 +142,5 @@ fn an_optimum_that_noise_does_not_tell_from_the_best_is_a_doubt() {
 fn one_start_is_that_of_the_file() {
     let (starts, best) = found(-1.0, 1);
     assert_eq!((starts.count, starts.unconverged, best.place[0]), (1, 0, -0.2));
-    assert!(starts.optima.len() == 1 && starts.optima[0].share == 1.0 && starts.ranges.is_empty());
+    assert!(starts.optima.len() == 1 && starts.optima[0].fraction == 1.0 && starts.ranges.is_empty());
 }

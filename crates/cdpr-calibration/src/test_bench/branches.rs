@@ -37,7 +37,7 @@ pub(super) struct BranchFit {
     pieces: usize,
     /// For mid and then for half: value and slope at each knot (N).
     unknowns: DVector<f64>,
-    shares: Vec<f64>,
+    fractions: Vec<f64>,
     initial: f64,
 }
 
@@ -91,25 +91,25 @@ impl Samples {
     /// Alternates between branches and shares; the fit and its mean square.
     fn descend(&self, initial: f64) -> (BranchFit, f64) {
         let conditions = self.conditions();
-        let mut shares = vec![1.0 / TRANSITION_LIMIT as f64; TRANSITION_LIMIT];
+        let mut fractions = vec![1.0 / TRANSITION_LIMIT as f64; TRANSITION_LIMIT];
         for _ in 0..ALTERNATIONS {
-            let unknowns = self.branches(&shares, &conditions);
-            shares = self.shares(&unknowns, &shares);
+            let unknowns = self.branches(&fractions, &conditions);
+            fractions = self.fractions(&unknowns, &fractions);
         }
-        shares.iter_mut().filter(|share| **share < LEAST_SHARE).for_each(|share| *share = 0.0);
-        normalize(&mut shares);
-        let unknowns = self.branches(&shares, &conditions);
+        fractions.iter_mut().filter(|fraction| **fraction < LEAST_SHARE).for_each(|fraction| *fraction = 0.0);
+        normalize(&mut fractions);
+        let unknowns = self.branches(&fractions, &conditions);
         let square = |row: usize| {
             let (mid, half) = self.at(&unknowns, row);
-            (mid + half * self.state(&shares, row) - self.tensions[row]).powi(2)
+            (mid + half * self.state(&fractions, row) - self.tensions[row]).powi(2)
         };
         let cost = (0..self.tensions.len()).map(square).sum::<f64>() / self.tensions.len() as f64;
         let unknowns = unknowns * self.scale;
-        (BranchFit { pieces: self.pieces, unknowns, shares, initial }, cost)
+        (BranchFit { pieces: self.pieces, unknowns, fractions, initial }, cost)
     }
 
-    fn state(&self, shares: &[f64], row: usize) -> f64 {
-        self.states[row].iter().zip(shares).map(|(state, share)| state * share).sum()
+    fn state(&self, fractions: &[f64], row: usize) -> f64 {
+        self.states[row].iter().zip(fractions).map(|(state, fraction)| state * fraction).sum()
     }
 
     /// mid and half at a row.
@@ -121,14 +121,14 @@ impl Samples {
     }
 
     /// Values and slopes at the knots for given shares.
-    fn branches(&self, shares: &[f64], (conditions, bounds): &(DMatrix<f64>, DVector<f64>)) -> DVector<f64> {
+    fn branches(&self, fractions: &[f64], (conditions, bounds): &(DMatrix<f64>, DVector<f64>)) -> DVector<f64> {
         let half = 2 * (self.pieces + 1);
         let count = self.tensions.len() as f64;
         // a weight that only decides where no sample says anything
         let mut normal = DMatrix::identity(2 * half, 2 * half) * 1e-9;
         let mut right = DVector::zeros(2 * half);
         for (row, &(first, coefficients)) in self.basis.iter().enumerate() {
-            let state = self.state(shares, row);
+            let state = self.state(fractions, row);
             let entry = |k: usize| match k {
                 0..4 => (first + k, coefficients[k]),
                 _ => (half + first + k - 4, coefficients[k - 4] * state),
@@ -144,7 +144,7 @@ impl Samples {
     }
 
     /// Shares for given branches: not negative, and 1 in sum, since half takes the rest.
-    fn shares(&self, unknowns: &DVector<f64>, before: &[f64]) -> Vec<f64> {
+    fn fractions(&self, unknowns: &DVector<f64>, before: &[f64]) -> Vec<f64> {
         let mut normal = DMatrix::identity(TRANSITION_LIMIT, TRANSITION_LIMIT) * 1e-15;
         let mut right = DVector::zeros(TRANSITION_LIMIT);
         for row in 0..self.tensions.len() {
@@ -153,17 +153,17 @@ impl Samples {
             normal.ger(1.0, &column, &column, 1.0);
             right.axpy(self.tensions[row] - mid, &column, 1.0);
         }
-        let mut shares = before.to_vec();
+        let mut fractions = before.to_vec();
         for _ in 0..500 {
             for j in 0..TRANSITION_LIMIT {
-                let rest: f64 = (0..TRANSITION_LIMIT).map(|k| normal[(j, k)] * shares[k]).sum();
-                shares[j] = (shares[j] + (right[j] - rest) / normal[(j, j)]).max(0.0);
+                let rest: f64 = (0..TRANSITION_LIMIT).map(|k| normal[(j, k)] * fractions[k]).sum();
+                fractions[j] = (fractions[j] + (right[j] - rest) / normal[(j, j)]).max(0.0);
             }
         }
-        if !normalize(&mut shares) {
+        if !normalize(&mut fractions) {
             return before.to_vec();
         }
-        shares
+        fractions
     }
 
     /// G x ≥ g: both branches rise, the loop has a width and room to close below the first knot.
@@ -250,13 +250,13 @@ impl BranchFit {
         }
         let values = |branch: &[(f64, f64)]| branch.iter().map(|knot| rounded(knot.0)).collect();
         let slopes = |branch: &[(f64, f64)]| Some(branch.iter().map(|knot| rounded(knot.1 * per_strain)).collect());
-        let used = TRANSITIONS.iter().zip(&self.shares).filter(|(_, share)| **share > 0.0);
-        let (transitions, shares): (Vec<f64>, Vec<f64>) =
-            used.map(|(transition, share)| (rounded(transition / per_strain), rounded(*share))).unzip();
+        let used = TRANSITIONS.iter().zip(&self.fractions).filter(|(_, fraction)| **fraction > 0.0);
+        let (transitions, fractions): (Vec<f64>, Vec<f64>) =
+            used.map(|(transition, fraction)| (rounded(transition / per_strain), rounded(*fraction))).unzip();
         table.strain = table.strain.into_iter().map(rounded).collect();
         (table.loading_N, table.unloading_N) = (values(&loading), values(&unloading));
         (table.loading_slope_N, table.unloading_slope_N) = (slopes(&loading), slopes(&unloading));
-        (table.transition_strain, table.transition_share) = (transitions, Some(shares));
+        (table.transition_strain, table.transition_share) = (transitions, Some(fractions));
         (table, lower - distance * (upper - lower))
     }
 }
@@ -272,12 +272,12 @@ fn bounds(numbers: &[f64]) -> (f64, f64) {
 }
 
 /// Makes shares add up to 1; false when there is nothing to share.
-fn normalize(shares: &mut [f64]) -> bool {
-    let sum: f64 = shares.iter().sum();
+fn normalize(fractions: &mut [f64]) -> bool {
+    let sum: f64 = fractions.iter().sum();
     if !(sum > 1e-6 && sum.is_finite()) {
         return false;
     }
-    shares.iter_mut().for_each(|share| *share /= sum);
+    fractions.iter_mut().for_each(|fraction| *fraction /= sum);
     true
 }
 

@@ -10,16 +10,16 @@ impl Solution {
     /// Doubts about the laws, a sentence each; empty if the branches follow the record and a polynomial rises with it.
     pub fn doubts(&self) -> Vec<Doubt> {
         let range = self.tensions[1] - self.tensions[0];
-        let share = self.hysteresis.rms / range;
+        let fraction = self.hysteresis.rms / range;
         let mut doubts = Vec::new();
-        if !(share <= LARGEST_SHARE) {
+        if !(fraction <= LARGEST_SHARE) {
             doubts.push(Doubt::new(
                 DoubtKind::Law,
                 format!(
                     "not to be trusted: the tensions of both branches are {:.1} N (rms) from the recorded ones, {:.1} % of their range: the record is not that of a \
                      cable between these elongations, its rows are out of order, or it is too noisy",
                     self.hysteresis.rms,
-                    100.0 * share
+                    100.0 * fraction
                 ),
             ));
         }

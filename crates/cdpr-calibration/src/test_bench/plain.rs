@@ -214,8 +214,8 @@ impl Free {
     fn zero_at(&self, root: f64) -> (DVector<f64>, f64) {
         let powers = DVector::from_fn(self.coefficients.len(), |k, _| root.powi(k as i32));
         let push = self.factors.solve(&powers);
-        let (gap, share) = (powers.dot(&self.coefficients), powers.dot(&push));
-        (&self.coefficients - push * (gap / share), gap * gap / share)
+        let (gap, fraction) = (powers.dot(&self.coefficients), powers.dot(&push));
+        (&self.coefficients - push * (gap / fraction), gap * gap / fraction)
     }
 }
 

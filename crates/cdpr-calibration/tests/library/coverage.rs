@@ -42,9 +42,10 @@ fn coverage(free: &str, loss: Loss, spoil: impl Fn(&mut Samples)) -> Vec<f64> {
 }
 
 fn check(free: &str, loss: Loss, spoil: impl Fn(&mut Samples)) {
-    let shares = coverage(free, loss, spoil);
-    let pooled = shares.iter().sum::<f64>() / shares.len() as f64;
-    let (least, most) = shares.iter().fold((1.0_f64, 0.0_f64), |(a, b), &share| (a.min(share), b.max(share)));
+    let fractions = coverage(free, loss, spoil);
+    let pooled = fractions.iter().sum::<f64>() / fractions.len() as f64;
+    let (least, most) =
+        fractions.iter().fold((1.0_f64, 0.0_f64), |(a, b), &fraction| (a.min(fraction), b.max(fraction)));
     println!("{free}, {loss:?}: pooled {pooled:.4}, single parameters {least:.3} to {most:.3}");
     assert!((0.93..=0.97).contains(&pooled), "{free}: pooled {pooled}");
     // 200 runs of a 95 % event: standard deviation 1.5 %, so ± 4 of them
@@ -124,9 +125,9 @@ fn intervals_cover_the_truth_with_priors_and_few_poses() {
     let both = [ParameterKind::FrameAnchor, ParameterKind::PlatformAnchor];
     for kinds in [&both[..], &both[1..]] {
         for poses in [25, 10, 7, 4] {
-            let (share, noise_factor) = coverage_with_priors(kinds, poses);
-            println!("{kinds:?}, {poses} poses: {:.2} % covered, noise factor {noise_factor:.3}", 100.0 * share);
-            assert!((0.93..=0.97).contains(&share), "{kinds:?}, {poses} poses: {share}");
+            let (fraction, noise_factor) = coverage_with_priors(kinds, poses);
+            println!("{kinds:?}, {poses} poses: {:.2} % covered, noise factor {noise_factor:.3}", 100.0 * fraction);
+            assert!((0.93..=0.97).contains(&fraction), "{kinds:?}, {poses} poses: {fraction}");
             // the root of a mean of squares is a little below that of their expectation
             assert!((0.9..1.05).contains(&noise_factor), "{kinds:?}, {poses} poses: {noise_factor}");
         }

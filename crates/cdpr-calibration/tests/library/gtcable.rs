@@ -107,13 +107,13 @@ fn displaced_rows_are_named_and_the_fit_is_that_of_the_clean_rows() {
             let found = identified(&dirty, loss);
             let named: Vec<usize> = found.outliers.iter().map(|outlier| outlier.sample - 1).collect();
             let right = rows.iter().filter(|row| named.contains(row)).count();
-            let (share, spurious) = (right as f64 / rows.len() as f64, named.len() - right);
+            let (fraction, spurious) = (right as f64 / rows.len() as f64, named.len() - right);
             println!(
-                "seed {seed}, {loss:?}: {:.3} mm (squared {squared:.2}), {share:.3} named, {spurious} others",
+                "seed {seed}, {loss:?}: {:.3} mm (squared {squared:.2}), {fraction:.3} named, {spurious} others",
                 mean(&found)
             );
             assert!(mean(&found) < 1.05 * mean(&of_clean), "{loss:?}: {} mm", mean(&found));
-            assert!(share >= 0.95, "{loss:?}: {share}");
+            assert!(fraction >= 0.95, "{loss:?}: {fraction}");
             assert!(spurious * 100 <= clean.len() - rows.len(), "{loss:?}: {spurious}");
             // the header is the first line
             assert!(found.outliers.iter().all(|outlier| outlier.line == Some(outlier.sample + 1)));

@@ -164,14 +164,14 @@ pub(super) fn exact(model: &Model, poses: &[Pose]) -> Samples {
 /// Generic poses about the home pose, by a sequence that fills their box.
 pub(super) fn generic(model: &Model, count: usize, (range, turn): (f64, f64)) -> Vec<Pose> {
     let home = model.robot().home_or_middle();
-    let share = |sample: usize, direction: usize| {
+    let fraction = |sample: usize, direction: usize| {
         let irrational = [2.0_f64, 3.0, 5.0, 7.0, 11.0, 13.0][direction].sqrt();
         2.0 * ((sample + 1) as f64 * irrational).fract() - 1.0
     };
     let pose = |sample: usize| {
         let twist: Twist = (model.twist_basis().iter().enumerate())
             .map(|(k, twist)| {
-                twist * share(sample, k) * if twist.fixed_rows::<3>(3).norm() > 0.0 { turn } else { range }
+                twist * fraction(sample, k) * if twist.fixed_rows::<3>(3).norm() > 0.0 { turn } else { range }
             })
             .sum();
         home.displaced(&twist)
@@ -342,9 +342,9 @@ fn intervals_hold_the_truth() {
             count += 1;
         }
     }
-    let share = inside as f64 / count as f64;
-    println!("{share}");
-    assert!((0.93..=0.97).contains(&share), "{share}");
+    let fraction = inside as f64 / count as f64;
+    println!("{fraction}");
+    assert!((0.93..=0.97).contains(&fraction), "{fraction}");
 }
 
 /// One end of every refusal.

@@ -16,7 +16,7 @@ use nalgebra::{DVector, Vector3};
 const PULLEYS: Composition = Composition { pulley: true, ..Composition::STANDARD };
 
 /// Irrational steps that fill a box evenly, in −1 to 1.
-fn share(sample: usize, direction: usize) -> f64 {
+fn fraction(sample: usize, direction: usize) -> f64 {
     let irrational = [2.0_f64, 3.0, 5.0, 7.0, 11.0, 13.0, 17.0, 19.0][direction % 8].sqrt();
     2.0 * ((sample + 1) as f64 * irrational * (1 + direction / 8) as f64).fract() - 1.0
 }
@@ -29,13 +29,13 @@ fn tensed(model: &Model, count: usize, (range, turn): (f64, f64)) -> InternalSam
     for sample in 0..count {
         let twist: Twist = (model.twist_basis().iter().enumerate())
             .map(|(k, twist)| {
-                twist * share(sample, k) * if twist.fixed_rows::<3>(3).norm() > 0.0 { turn } else { range }
+                twist * fraction(sample, k) * if twist.fixed_rows::<3>(3).norm() > 0.0 { turn } else { range }
             })
             .sum();
         let pose = home.displaced(&twist);
         let matrix = model.structure_matrix(&pose).unwrap();
         // the next tensions in equilibrium to some that vary from sample to sample
-        let wished = DVector::from_fn(m, |cable, _| 3000.0 + 800.0 * share(sample, 3 + cable));
+        let wished = DVector::from_fn(m, |cable, _| 3000.0 + 800.0 * fraction(sample, 3 + cable));
         let missing = &matrix * &wished + load.in_pattern(model, &pose);
         let tensions = wished - matrix.clone().pseudo_inverse(1e-12).unwrap() * missing;
         let lengths = controlled_lengths(model, &pose, tensions.as_slice()).unwrap();
@@ -92,10 +92,11 @@ fn hanging(model: &Model, count: usize) -> InternalSamples {
         if samples.poses.len() == count {
             break;
         }
-        let shift = Vector3::new(share(sample, 0), share(sample, 1), share(sample, 2)) * 0.4;
+        let shift = Vector3::new(fraction(sample, 0), fraction(sample, 1), fraction(sample, 2)) * 0.4;
         let near = Pose { position: home.position + shift, ..home };
-        let lengths: Vec<f64> =
-            (0..m).map(|cable| model.path(cable, &near).unwrap().0.length + 0.02 * share(sample, 3 + cable)).collect();
+        let lengths: Vec<f64> = (0..m)
+            .map(|cable| model.path(cable, &near).unwrap().0.length + 0.02 * fraction(sample, 3 + cable))
+            .collect();
         let solution = solver.solve(&lengths, &near).unwrap();
         if solution.status != Found::Converged || solution.tensions.iter().any(|tension| *tension < 5.0) {
             continue;
@@ -297,7 +298,7 @@ fn intervals_of_all_sensors_hold_the_truth() {
             count += 1;
         }
     }
-    let share = inside as f64 / count as f64;
-    println!("{share}");
-    assert!((0.93..=0.97).contains(&share), "{share}");
+    let fraction = inside as f64 / count as f64;
+    println!("{fraction}");
+    assert!((0.93..=0.97).contains(&fraction), "{fraction}");
 }

@@ -13,7 +13,7 @@ pub struct Correction {
     /// Lengths to add to the recorded ones of the model, cable by cable (m); zeros beyond the margin.
     pub lengths: Vec<f64>,
     /// Share of the map that acts at the pose: 1 among its samples, falling over the margin to 0.
-    pub share: f64,
+    pub fraction: f64,
     /// Reason why it is not the whole; nothing among the samples.
     pub reason: Option<String>,
 }
@@ -22,7 +22,7 @@ impl Correction {
     /// The same; an error beyond the margin, where the map says nothing.
     pub fn known(self) -> Result<Self, MapError> {
         match self.reason {
-            Some(reason) if self.share == 0.0 => Err(MapError::Outside { reason }),
+            Some(reason) if self.fraction == 0.0 => Err(MapError::Outside { reason }),
             _ => Ok(self),
         }
     }
@@ -49,10 +49,10 @@ pub struct Beyond {
 
 impl Beyond {
     /// Counts of poses by the share of the map that acts at each.
-    pub fn of(shares: impl Iterator<Item = f64>) -> Self {
-        shares.fold(Self::default(), |counts, share| Self {
-            outside: counts.outside + usize::from(share == 0.0),
-            fading: counts.fading + usize::from(share > 0.0 && share < WHOLE),
+    pub fn of(fractions: impl Iterator<Item = f64>) -> Self {
+        fractions.fold(Self::default(), |counts, fraction| Self {
+            outside: counts.outside + usize::from(fraction == 0.0),
+            fading: counts.fading + usize::from(fraction > 0.0 && fraction < WHOLE),
         })
     }
 

@@ -43,8 +43,8 @@ fn pose(position: [f64; 3], turn: [f64; 3]) -> Pose {
 }
 
 /// Poses on a line from the middle of the samples, by the share of its length.
-fn on(way: &[[f64; 3]; 2], share: f64) -> Pose {
-    pose([share * way[0][0], share * way[0][1], 1.6 + share * way[0][2]], way[1].map(|turn| share * turn))
+fn on(way: &[[f64; 3]; 2], fraction: f64) -> Pose {
+    pose([fraction * way[0][0], fraction * way[0][1], 1.6 + fraction * way[0][2]], way[1].map(|turn| fraction * turn))
 }
 
 /// Lines out of the box: along an axis, across an edge, across a corner of positions and turns.
@@ -66,7 +66,7 @@ fn corrections_end_without_a_jump_or_a_corner() {
         let at = |k: usize| map.at(&on(way, k as f64 / STEPS as f64));
         let along: Vec<Correction> = (0..=STEPS).map(at).collect();
         let (first, last) = (&along[0], &along[STEPS]);
-        assert_eq!((first.share, &first.reason, last.share), (1.0, &None, 0.0), "line {number}");
+        assert_eq!((first.fraction, &first.reason, last.fraction), (1.0, &None, 0.0), "line {number}");
         for cable in 0..8 {
             let steps: Vec<f64> =
                 along.windows(2).map(|pair| pair[1].lengths[cable] - pair[0].lengths[cable]).collect();
@@ -77,7 +77,7 @@ fn corrections_end_without_a_jump_or_a_corner() {
             assert!(corner < 0.1 * steepest + 1e-6, "line {number}, cable {cable}: {corner} m of {steepest} m");
         }
         // rounding of the product
-        assert!(along.windows(2).all(|pair| pair[1].share <= pair[0].share + 1e-12), "line {number}");
+        assert!(along.windows(2).all(|pair| pair[1].fraction <= pair[0].fraction + 1e-12), "line {number}");
         assert!(last.lengths.iter().all(|length| length.to_bits() == 0) && last.clone().known().is_err());
     }
 }
@@ -91,13 +91,14 @@ fn margins_are_those_that_are_told() {
     for (place, extent) in extents.iter().enumerate() {
         let Extent { unit, ends: [low, high], margin, .. } = *extent;
         assert!(low < 0.0 && high > 0.0 && margin > 0.04 * (high - low), "{extent:?}");
-        for (by, share) in [(high, 1.0), (high + 0.5 * margin, 0.5), (high + margin, 0.0), (low - 0.5 * margin, 0.5)] {
+        for (by, fraction) in [(high, 1.0), (high + 0.5 * margin, 0.5), (high + margin, 0.0), (low - 0.5 * margin, 0.5)]
+        {
             let pose = match unit {
                 "m" => Pose { position: centre.position + Vector3::ith(place, by), ..centre },
                 _ => Pose { rotation: turn(place - 3, by) * centre.rotation, ..centre },
             };
             // rounding of coordinates, over a margin of centimetres
-            assert!((map.at(&pose).share - share).abs() < 1e-9, "{extent:?} at {by}: {}", map.at(&pose).share);
+            assert!((map.at(&pose).fraction - fraction).abs() < 1e-9, "{extent:?} at {by}: {}", map.at(&pose).fraction);
         }
     }
 }
@@ -108,7 +109,7 @@ fn among_the_samples_nothing_fades() {
     let (_, map) = map();
     for k in 0..20 {
         let pose = on(&[[1.2, -0.9, 0.3], [0.05, -0.04, 0.06]], 0.1 * f64::from(k) - 1.0);
-        assert_eq!((map.at(&pose).lengths, map.at(&pose).share), (map.field.at(&map.space.point(&pose)).0, 1.0));
+        assert_eq!((map.at(&pose).lengths, map.at(&pose).fraction), (map.field.at(&map.space.point(&pose)).0, 1.0));
     }
 }
 
@@ -124,8 +125,8 @@ fn corrections_fade_in_gaps() {
     *weights = factor.solve(&centred);
     let at = |k: u32| map.at(&pose([1.4 - 2.8e-3 * f64::from(k), 0.1, 1.6], [0.0; 3]));
     let along: Vec<Correction> = (0..=1000).map(at).collect();
-    let least = along.iter().map(|own| own.share).fold(1.0, f64::min);
-    assert!(least < 0.1 && along.iter().any(|own| own.share == 1.0), "{least}");
+    let least = along.iter().map(|own| own.fraction).fold(1.0, f64::min);
+    assert!(least < 0.1 && along.iter().any(|own| own.fraction == 1.0), "{least}");
     let reason = along.iter().find_map(|own| own.reason.clone()).unwrap();
     assert!(reason.contains("of the variance stay unknown"), "{reason}");
     for cable in 0..8 {

@@ -75,21 +75,21 @@ impl Compensation {
     /// slope: over the margins of the box, and in gaps up to three quarters unknown. Beyond that it is zero.
     pub fn at(&self, pose: &Pose) -> Correction {
         let point = self.space.point(pose);
-        let in_box = self.space.share(&point);
+        let in_box = self.space.fraction(&point);
         let (smooth, unknown) = match in_box > 0.0 {
             true => self.field.at(&point),
             false => (Vec::new(), 0.0),
         };
         let [whole, none] = UNKNOWN;
         let known = left((unknown - whole) / (none - whole));
-        let share = in_box * known;
-        let lengths = match share > 0.0 {
-            true => smooth.iter().map(|length| share * length).collect(),
+        let fraction = in_box * known;
+        let lengths = match fraction > 0.0 {
+            true => smooth.iter().map(|length| fraction * length).collect(),
             false => vec![0.0; self.field.mean.len()],
         };
         let gap = || format!("samples are so far from it that {:.0} % of the variance stay unknown", 100.0 * unknown);
         let reason = self.space.beyond(&point).or_else(|| (known < 1.0).then(gap));
-        Correction { lengths, share, reason }
+        Correction { lengths, fraction, reason }
     }
 
     /// Refuses a model that the map was not made for.

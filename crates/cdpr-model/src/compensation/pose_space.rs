@@ -77,7 +77,7 @@ impl PoseSpace {
     }
 
     /// Share of a map that acts at a point: 1 in the box of the samples, over its margins falling to 0.
-    pub(super) fn share(&self, point: &[f64]) -> f64 {
+    pub(super) fn fraction(&self, point: &[f64]) -> f64 {
         self.excesses(point).map(left).product()
     }
 

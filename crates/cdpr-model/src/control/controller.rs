@@ -46,14 +46,14 @@ impl Control<'_> {
         let mut controller = Controller::new(self)?;
         let mut state = State::at_home(self.model);
         let mut table = Samples { cable_count: self.model.cable_count(), poses: poses.to_vec(), ..Samples::default() };
-        let mut shares = Vec::with_capacity(poses.len());
+        let mut fractions = Vec::with_capacity(poses.len());
         for (place, pose) in poses.iter().enumerate() {
             let at_pose = |reason| OperationError::AtPose { pose: place + 1, reason: Box::new(reason) };
             let modelled = controller.modelled(pose, None, &mut state).map_err(at_pose)?;
             table.lengths.extend(match controller.correction(pose) {
                 Some(correction) => {
                     let correction = correction.known().map_err(|unknown| at_pose(unknown.into()))?;
-                    shares.push(correction.share);
+                    fractions.push(correction.fraction);
                     correction.added_to(&modelled)
                 }
                 None => modelled,
@@ -64,7 +64,7 @@ impl Control<'_> {
                 table.tensions.get_or_insert_default().extend(recorded);
             }
         }
-        Ok((table, Beyond::of(shares.into_iter())))
+        Ok((table, Beyond::of(fractions.into_iter())))
     }
 }
 

@@ -102,11 +102,11 @@ pub(crate) fn mean_square(values: &[f64]) -> f64 {
 }
 
 /// Quantile by linear interpolation between order statistics (the default of NumPy and R).
-pub fn quantile(sorted: &[f64], share: f64) -> f64 {
+pub fn quantile(sorted: &[f64], fraction: f64) -> f64 {
     if sorted.is_empty() {
         return f64::NAN;
     }
-    let place = share * (sorted.len() - 1) as f64;
+    let place = fraction * (sorted.len() - 1) as f64;
     let below = place.floor() as usize;
     let above = (below + 1).min(sorted.len() - 1);
     sorted[below] + (place - below as f64) * (sorted[above] - sorted[below])

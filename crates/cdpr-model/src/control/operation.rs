@@ -162,7 +162,7 @@ impl<'a> Operation<'a> {
     /// Poses at which the map that corrects the lengths fades or is zero; empty without a map.
     pub fn beyond_map(&self, poses: impl Iterator<Item = Pose>) -> Beyond {
         let map = self.control.compensation();
-        map.map_or_else(Beyond::default, |map| Beyond::of(poses.map(|pose| map.at(&pose).share)))
+        map.map_or_else(Beyond::default, |map| Beyond::of(poses.map(|pose| map.at(&pose).fraction)))
     }
 
     /// Lengths that the control model sends for a pose, without the winch offsets (m), or why it has none to send.
@@ -259,8 +259,8 @@ impl<'a> Operation<'a> {
         let whole = from.displacement_to(&command.pose);
         let steps = way.history.sub_steps;
         for step in 1..steps {
-            let share = f64::from(step) / f64::from(steps);
-            let _ = self.settled(&CommandedPose::at(from.displaced(&(whole * share))), observe);
+            let fraction = f64::from(step) / f64::from(steps);
+            let _ = self.settled(&CommandedPose::at(from.displaced(&(whole * fraction))), observe);
         }
         way.last = Some(command.pose);
         self.settled(command, observe)

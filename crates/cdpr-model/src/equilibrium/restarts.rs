@@ -24,9 +24,9 @@ pub fn restart_poses(model: &Model, guess: &Pose) -> impl Iterator<Item = Pose> 
         let turn = if index.is_multiple_of(2) { 0.0 } else { 1.5 };
         let mut twist = Twist::zeros();
         for (axis, direction) in basis.iter().enumerate() {
-            let share: f64 = rng.random_range(-0.5..0.5);
+            let fraction: f64 = rng.random_range(-0.5..0.5);
             let extent = direction.fixed_rows::<3>(0).dot(&(max - min));
-            twist += direction * if axis < translations { share * extent } else { 2.0 * share * turn };
+            twist += direction * if axis < translations { fraction * extent } else { 2.0 * fraction * turn };
         }
         let middle = (min + max) * 0.5;
         let mut center = home;

@@ -187,11 +187,11 @@ impl<'a> Log<'a> {
         if before.is_empty() || after.is_empty() {
             return false;
         }
-        let share = SIGNIFICANT * (1.0 / before.len() as f64 + 1.0 / after.len() as f64).sqrt();
+        let fraction = SIGNIFICANT * (1.0 / before.len() as f64 + 1.0 / after.len() as f64).sqrt();
         let floor = FLOOR_SHARE * self.diagonal;
         self.asked(swings).any(|channel| {
             let difference = (channel.mean(&after) - channel.mean(&before)).abs();
-            difference > floor + channel.step + share * channel.noise
+            difference > floor + channel.step + fraction * channel.noise
         })
     }
 

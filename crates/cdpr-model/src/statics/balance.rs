@@ -92,8 +92,8 @@ fn column_space(mut matrix: DMatrix<f64>) -> DMatrix<f64> {
 /// Takes from a column what it has of a unit column.
 fn remove_share(matrix: &mut DMatrix<f64>, column: usize, unit: usize) {
     let unit = matrix.column(unit).into_owned();
-    let share = matrix.column(column).dot(&unit);
-    matrix.column_mut(column).axpy(-share, &unit, 1.0);
+    let fraction = matrix.column(column).dot(&unit);
+    matrix.column_mut(column).axpy(-fraction, &unit, 1.0);
 }
 
 /// Controlled lengths q_θ with which the cables have these tensions at this pose (m): the exact inverse of the elastic law

@@ -214,9 +214,9 @@ fn pivot(table: &mut DMatrix<f64>, row: usize, column: usize) {
     let factor = 1.0 / table[(row, column)];
     table.row_mut(row).iter_mut().for_each(|entry| *entry *= factor);
     for other in (0..table.nrows()).filter(|&other| other != row) {
-        let share = table[(other, column)];
+        let fraction = table[(other, column)];
         for k in 0..table.ncols() {
-            let taken = share * table[(row, k)];
+            let taken = fraction * table[(row, k)];
             table[(other, k)] -= taken;
         }
     }

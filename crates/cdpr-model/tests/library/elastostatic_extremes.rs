@@ -98,7 +98,7 @@ fn extreme_cables_come_to_rest_in_balance() {
     let spring: Law =
         |cable, rng| cable.stiffness = Some(CableStiffness::Spring(LOAD * 10_f64.powf(rng.random_range(-1.0..2.0))));
     for (index, pattern) in PATTERNS.into_iter().enumerate() {
-        for (name, law, shares) in [
+        for (name, law, fractions) in [
             ("long stretch", soft, 0.01..0.3),
             ("hard", hard, 0.999..1.0005),
             ("mixed", mixed, 0.999..1.0005),
@@ -110,7 +110,7 @@ fn extreme_cables_come_to_rest_in_balance() {
                 let (model, pose, load) = robots.draw(law);
                 let lengths: Vec<f64> = model.cable_lengths(&pose).unwrap();
                 let lengths: Vec<f64> =
-                    lengths.iter().map(|length| length * robots.rng.random_range(shares.clone())).collect();
+                    lengths.iter().map(|length| length * robots.rng.random_range(fractions.clone())).collect();
                 let solution = solve(&model, &lengths, &load, &pose, &Settings::default()).unwrap();
                 if solution.status != Status::Converged {
                     not_found.push((case, solution.status, solution.reason));

@@ -156,9 +156,9 @@ fn trackers_are_late_and_blind_at_times() {
     let text = START.replace("duration_s = 0.6", "duration_s = 6") + tables;
     let (logs, ..) = run(&text, simulator());
     let (_, rows) = numbers(&logs[0]);
-    let share = rows.len() as f64 / 3001.0;
+    let fraction = rows.len() as f64 / 3001.0;
     // sight and blindness take 0.05 s each in the mean, 60 of each: 0.5 ± 0.05
-    assert!((share - 0.5).abs() < 0.2, "{share}");
+    assert!((fraction - 0.5).abs() < 0.2, "{fraction}");
     assert!(rows[0][0] >= 0.02);
 }
 

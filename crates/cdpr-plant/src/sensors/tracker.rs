@@ -84,8 +84,8 @@ impl Tracker {
     fn sight(&mut self) -> f64 {
         let [per_second, length] = self.blindness;
         if per_second > 0.0 && length > 0.0 {
-            let share: f64 = self.dropouts.0.random();
-            -(1.0 - share).ln() / per_second
+            let fraction: f64 = self.dropouts.0.random();
+            -(1.0 - fraction).ln() / per_second
         } else {
             f64::INFINITY
         }

@@ -124,7 +124,7 @@ impl InverseAnswer {
         let lengths = lengths.map(|length| length.is_finite().then_some(length)).collect();
         Ok(Self {
             warnings: self.warnings.into_iter().chain(fading(&correction)).collect(),
-            correction_share: Some(correction.share),
+            correction_share: Some(correction.fraction),
             correction_m: Some(correction.lengths),
             corrected_lengths_m: Some(lengths),
             ..self
@@ -139,10 +139,10 @@ impl InverseAnswer {
 
 /// Caution that a map fades at the pose; `None` if it acts as a whole.
 fn fading(correction: &Correction) -> Option<String> {
-    let reason = correction.reason.as_ref().filter(|_| Beyond::of([correction.share].into_iter()).fading > 0)?;
+    let reason = correction.reason.as_ref().filter(|_| Beyond::of([correction.fraction].into_iter()).fading > 0)?;
     Some(format!(
         "the pose lies in the margin around the samples of the map ({reason}): {:.0} % of its correction are left",
-        100.0 * correction.share
+        100.0 * correction.fraction
     ))
 }
 

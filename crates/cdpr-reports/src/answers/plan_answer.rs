@@ -172,7 +172,7 @@ impl PlanAnswer {
 
     fn numbers(&self) -> String {
         let number = |value: Option<f64>| value.map_or(NONE.to_owned(), |value| significant(value, 6));
-        let Plan { log_det, condition: kappa, sigma_min, i_value, grid, starts, share, .. } = &self.plan;
+        let Plan { log_det, condition: kappa, sigma_min, i_value, grid, starts, fraction, .. } = &self.plan;
         let mut text = format!(
             "log det {}, condition {}, smallest singular value {}, mean variance of lengths {}\n",
             number(*log_det),
@@ -192,7 +192,7 @@ impl PlanAnswer {
         if self.criterion != DesignCriterion::Factorial.name() {
             text.push_str(&format!(
                 "{} of {starts} starts of the exchanges led here\n",
-                (share * f64::from(*starts)).round()
+                (fraction * f64::from(*starts)).round()
             ));
         }
         text

@@ -40,7 +40,7 @@ impl SimulationAnswer {
             seed,
             control: experiment.compensation.is_some().then(|| control_title(experiment)),
             remark: experiment.compensation.as_ref().and_then(|map| {
-                let beyond = Beyond::of(commands.iter().map(|command| map.at(&command.pose).share));
+                let beyond = Beyond::of(commands.iter().map(|command| map.at(&command.pose).fraction));
                 let words = beyond_map(beyond, &format!("{} poses", commands.len()));
                 (!words.is_empty()).then(|| words.join("; "))
             }),

@@ -24,7 +24,7 @@ pub(super) fn start_words(starts: &Starts, width: Option<usize>) -> String {
             (place + 1).to_string(),
             significant(optimum.cost, 5),
             optimum.starts.to_string(),
-            cell(Some(100.0 * optimum.share), 0),
+            cell(Some(100.0 * optimum.fraction), 0),
             significant(1e3 * optimum.spread_m, 2),
             significant(1e3 * optimum.distance_m, 4),
         ]);

@@ -161,7 +161,7 @@ fn judged(mut answer: WorkspaceAnswer, asked: &Asked<'_>, audit: &Audit) -> Work
 
 /// Reason why the bound of the error stays above the part of the size that is wanted.
 fn limit(asked: &Asked<'_>, method: &str, audit: &Audit, size: f64) -> Option<String> {
-    let wanted = asked.goal.share;
+    let wanted = asked.goal.fraction;
     let is_small = audit.error_bound() <= wanted * size || (size == 0.0 && audit.missed == 0);
     let finer = if method == "hull" { "--rays" } else { "--step" };
     (!is_small).then(|| match asked.goal.refines {

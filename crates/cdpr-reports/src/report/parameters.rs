@@ -115,7 +115,7 @@ fn optima(fit: &Fit) -> Table {
             vec![
                 Cell::number(number::significant(optimum.cost, 5)),
                 Cell::number(optimum.starts.to_string()),
-                Cell::number(fixed(100.0 * optimum.share, 0)),
+                Cell::number(fixed(100.0 * optimum.fraction, 0)),
                 Cell::number(number::significant(1e3 * optimum.spread_m, 2)),
                 Cell::number(number::significant(1e3 * optimum.distance_m, 4)),
             ],

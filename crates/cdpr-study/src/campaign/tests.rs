@@ -29,13 +29,16 @@ fn half_of_the_poses_drive_as_well_as_all() {
     let at_first = found.driven_at_first.as_ref().unwrap().position_error_m.mean;
     let last = found.rounds.last().unwrap();
     let driven = last.driven.as_ref().unwrap().position_error_m.mean;
-    let shares: Vec<f64> = found.rounds.iter().map(|round| round.reach_share).collect();
+    let fractions: Vec<f64> = found.rounds.iter().map(|round| round.reach_share).collect();
     assert!(last.poses <= 45 && at_first > 0.035, "{} {at_first}", last.poses);
     // noise of 45 poses makes some percent: other seeds lie to both sides
     assert!(driven < 1.03 * full, "{driven} {full}");
     let of_grid = experiment.assess(&poses[..75]).unwrap().accuracy.position_error_m.mean;
     assert!((of_grid - 0.03883).abs() < 5e-6, "{of_grid}");
-    assert!(shares[0] > found.reach_at_first && shares.windows(2).all(|pair| pair[1] >= pair[0]), "{shares:?}");
+    assert!(
+        fractions[0] > found.reach_at_first && fractions.windows(2).all(|pair| pair[1] >= pair[0]),
+        "{fractions:?}"
+    );
     assert_eq!(found.status, CampaignStatus::BudgetSpent);
 }
 

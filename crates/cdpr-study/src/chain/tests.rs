@@ -30,9 +30,9 @@ fn chain(experiment: &Experiment, region: &[[f64; 2]]) -> Chain {
 fn the_twin_goes_through_chapter_six() {
     let found = chain(&experiment("twin-chain"), &REGION);
     let step = |name: &str| found.steps.iter().find(|step| step.name == name).unwrap();
-    let near = |name: &str, read: fn(&ChainStep) -> f64, expected: f64, share: f64| {
+    let near = |name: &str, read: fn(&ChainStep) -> f64, expected: f64, fraction: f64| {
         let value = read(step(name));
-        assert!((value / expected - 1.0).abs() < share, "{name}: {value}, expected {expected} within {share}");
+        assert!((value / expected - 1.0).abs() < fraction, "{name}: {value}, expected {expected} within {fraction}");
     };
     let position = |step: &ChainStep| 1e3 * step.position_mean_m;
     let rotation = |step: &ChainStep| step.rotation_mean_rad.to_degrees();

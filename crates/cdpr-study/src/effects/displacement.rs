@@ -112,7 +112,7 @@ fn to_first_order(
     let stiffness = Stiffness::at(machine, &state.pose, tensions, load)?;
     let by_lengths = stiffness.pose_by_controlled_lengths().ok_or(EffectError::Singular)?;
     let moved = by_lengths * DVector::from_column_slice(change);
-    let twist: Twist = machine.twist_basis().iter().zip(moved.iter()).map(|(unit, share)| unit * *share).sum();
+    let twist: Twist = machine.twist_basis().iter().zip(moved.iter()).map(|(unit, fraction)| unit * *fraction).sum();
     let (step, turn) = (Vector3::new(twist[0], twist[1], twist[2]), Vector3::new(twist[3], twist[4], twist[5]));
     let (mut most, mut slack) = (0.0_f64, 0);
     for (index, (&tension, change)) in tensions.iter().zip(change).enumerate() {

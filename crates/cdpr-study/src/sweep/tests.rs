@@ -27,7 +27,7 @@ fn sweep(parameters: &str) -> Sweep {
     Sweep::from_toml_bytes(text.as_bytes(), "sweep.toml").unwrap()
 }
 
-fn shares(sweep: &Sweep) -> Vec<f64> {
+fn fractions(sweep: &Sweep) -> Vec<f64> {
     let subjects = subjects();
     let points = sweep.points();
     let prepared = PreparedSweep::new(sweep, &subjects).unwrap();
@@ -42,8 +42,8 @@ fn stiffer_cables_reach_hardly_more() {
     let sweep = sweep(
         "[[parameter]]\nkey = \"both.cable[*].axial_stiffness_EA_N\"\nfrom = 2e5\nto = 3.5e6\ncount = 4\nspacing = \"logarithmic\"",
     );
-    for share in shares(&sweep) {
-        assert!((0.70..0.733).contains(&share), "{share}");
+    for fraction in fractions(&sweep) {
+        assert!((0.70..0.733).contains(&fraction), "{fraction}");
     }
 }
 
@@ -56,11 +56,11 @@ fn the_best_initial_tensions_aim_at_6000_newtons() {
     let mut subjects = subjects();
     subjects.study = subjects.study.replace("tension_method", "tension_limits_N = [1000, 8000]\ntension_method");
     let prepared = PreparedSweep::new(&sweep, &subjects).unwrap();
-    let share = |point: usize| {
+    let fraction = |point: usize| {
         let row = prepared.row(point, &values[point..=point]);
         row.reachable.unwrap_or_else(|| panic!("{:?}", row.reason))
     };
-    let areas: Vec<f64> = (0..5).map(share).collect();
+    let areas: Vec<f64> = (0..5).map(fraction).collect();
     let best = (0..5).max_by(|&a, &b| areas[a].total_cmp(&areas[b])).unwrap();
     assert_eq!(values[best], 6000.0, "{areas:?}");
 }

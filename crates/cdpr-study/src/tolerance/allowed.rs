@@ -73,7 +73,7 @@ pub fn allowed(
     let named: Vec<usize> = (0..kinds.len())
         .filter(|&kind| is_named(kinds[kind].0, kinds[kind].1) && singles[kind][0].is_finite())
         .collect();
-    let share = |of: usize| {
+    let fraction = |of: usize| {
         let ratio = |(place, budget): (usize, &f64)| {
             let ways = named.iter().map(|&kind| singles[kind][of] * reached[kind].ways(of)[place]);
             let all = if of == 0 { coverage * ways.map(|way| way * way).sum::<f64>().sqrt() } else { ways.sum() };
@@ -81,9 +81,9 @@ pub fn allowed(
         };
         budgets.iter().enumerate().map(ratio).fold(f64::INFINITY, f64::min)
     };
-    let shares = [share(0), share(1)];
+    let fractions = [fraction(0), fraction(1)];
     let allowance = |(place, &(side, kind)): (usize, &(Side, Kind))| {
-        let joint = |of: usize| named.contains(&place).then(|| shares[of] * singles[place][of]);
+        let joint = |of: usize| named.contains(&place).then(|| fractions[of] * singles[place][of]);
         let [alone, alone_worst_case] = singles[place];
         Allowance {
             side,

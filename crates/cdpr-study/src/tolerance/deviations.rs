@@ -124,8 +124,8 @@ impl Deviations {
             for (column, cause) in self.causes.iter().enumerate() {
                 let same = (0..self.causes.len()).filter(|&other| self.causes[other].kind.unit() == cause.kind.unit());
                 let largest = same.map(|other| derivatives.pose.column(other).amax()).fold(0.0, f64::max);
-                let share = if largest > 0.0 { errors[column] / largest } else { 0.0 };
-                worst = Some(f64::max(worst.unwrap_or(0.0), share));
+                let fraction = if largest > 0.0 { errors[column] / largest } else { 0.0 };
+                worst = Some(f64::max(worst.unwrap_or(0.0), fraction));
             }
         }
         worst

@@ -56,7 +56,7 @@ fn smooth_errors_of_the_twin_are_halved_where_nothing_was_fitted() {
     // other poses of the same box, by sensors without noise
     let others = twin.poses(Vec::new(), 5).unwrap();
     let fresh: Vec<_> =
-        others[75..].iter().filter(|command| found.map.at(&command.pose).share == 1.0).cloned().collect();
+        others[75..].iter().filter(|command| found.map.at(&command.pose).fraction == 1.0).cloned().collect();
     assert!(fresh.len() >= 8, "{} of 16 turned poses are among the samples", fresh.len());
     let exact = twin.record_exactly(&fresh).unwrap().samples;
     let alone = evaluate_fitted(&twin.control, &exact).unwrap().blocks();
@@ -178,7 +178,7 @@ fn maps_end_where_their_samples_end() {
     let samples = planar(&model, 40, smooth);
     let map = compensate(&model, &samples, None, 0).unwrap().map;
     let at = |x: f64, y: f64| map.at(&model.robot().motion_pattern.pose(model.robot().plane, &[x, y]).unwrap());
-    assert_eq!((at(0.3, 4.2).share, at(0.3, 4.2).reason), (1.0, None));
+    assert_eq!((at(0.3, 4.2).fraction, at(0.3, 4.2).reason), (1.0, None));
     assert!(matches!(at(3.0, 4.0).known(), Err(MapError::Outside { reason }) if reason.contains("x is")));
     let (_, outside) = evaluate_compensated(&model, &planar(&model, 5, |_, _| 0.0), &map).unwrap();
     assert_eq!(outside, Beyond::default());

@@ -122,9 +122,9 @@ fn intervals_cover_the_truth_when_the_prior_holds() {
         }
         noise_factor += found.noise_factor / MACHINES as f64;
     }
-    let share = inside as f64 / all as f64;
-    println!("{:.1} % of {all} intervals hold the truth, noise factor {noise_factor:.3}", 100.0 * share);
-    assert!((0.90..=0.98).contains(&share), "{share}");
+    let fraction = inside as f64 / all as f64;
+    println!("{:.1} % of {all} intervals hold the truth, noise factor {noise_factor:.3}", 100.0 * fraction);
+    assert!((0.90..=0.98).contains(&fraction), "{fraction}");
     // residuals are as large as the sensors explain
     assert!((noise_factor - 1.0).abs() < 0.02, "{noise_factor}");
 }

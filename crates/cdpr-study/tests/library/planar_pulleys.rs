@@ -42,9 +42,9 @@ fn pulleys_shrink_the_workspace_of_the_planar_example_as_published() {
     println!("points: {points:.2} m²");
     assert!((points - 71.15).abs() < 0.05, "{points}");
     for (radius, published, sampling) in [(0.15, 0.9895, 0.0015), (0.4, 0.974, 0.006)] {
-        let share = wrench_feasible_area(&Model::new(over_the_top(radius), Composition::PULLEY).unwrap()) / points;
-        println!("pulleys of {radius} m: {:.2} %", 1e2 * share);
-        assert!((share - published).abs() < sampling, "{radius} m: {share}");
+        let fraction = wrench_feasible_area(&Model::new(over_the_top(radius), Composition::PULLEY).unwrap()) / points;
+        println!("pulleys of {radius} m: {:.2} %", 1e2 * fraction);
+        assert!((fraction - published).abs() < sampling, "{radius} m: {fraction}");
     }
 }
 

@@ -21,7 +21,7 @@ fn identified(robot: Robot, composition: Composition, free: &str, samples: &Samp
 fn assert_one_optimum(fit: &Fit, count: usize, spread: f64) {
     println!("{:?}", fit.starts);
     let [optimum] = &fit.starts.optima[..] else { panic!("{:?}", fit.starts) };
-    assert_eq!((fit.starts.count, optimum.starts, optimum.share), (count, count, 1.0));
+    assert_eq!((fit.starts.count, optimum.starts, optimum.fraction), (count, count, 1.0));
     assert!(optimum.spread_m <= spread, "{} m", optimum.spread_m);
     assert!(!fit.cautions().iter().any(|words| words.contains("optimum")), "{:?}", fit.cautions());
 }

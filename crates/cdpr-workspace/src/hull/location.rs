@@ -92,7 +92,7 @@ mod tests {
                 let corners = face.map(|ray| hull.directions[ray as usize]);
                 let middle = [0, 1, 2].map(|axis| corners.iter().map(|corner| corner[axis]).sum::<f64>() / 3.0);
                 assert_eq!(locator.face(&middle), index, "{halvings}");
-                let at = |share: f64| [0, 1, 2].map(|axis| hull.center[axis] + share * middle[axis]);
+                let at = |fraction: f64| [0, 1, 2].map(|axis| hull.center[axis] + fraction * middle[axis]);
                 assert!(locator.contains(&at(1.999)) && !locator.contains(&at(2.001)), "{halvings} {index}");
             }
         }

@@ -32,12 +32,13 @@ impl Hull {
     /// Azimuth and place at which the side between two rays, or one level ray, meets the plane.
     fn crossing(&self, [a, b]: [u32; 2]) -> (f64, Point) {
         let [first, second] = [a, b].map(|ray| self.directions[ray as usize]);
-        let share = |from: f64, to: f64| if from == to { 0.0 } else { from / (from - to) };
-        let between =
-            |from: Point, to: Point, share: f64| [0, 1, 2].map(|axis| from[axis] + share * (to[axis] - from[axis]));
-        let direction = between(first, second, share(first[2], second[2]));
+        let fraction = |from: f64, to: f64| if from == to { 0.0 } else { from / (from - to) };
+        let between = |from: Point, to: Point, fraction: f64| {
+            [0, 1, 2].map(|axis| from[axis] + fraction * (to[axis] - from[axis]))
+        };
+        let direction = between(first, second, fraction(first[2], second[2]));
         let [below, above] = [a, b].map(|ray| self.radii[ray as usize] * self.directions[ray as usize][2]);
-        let mut point = between(self.vertex(a as usize), self.vertex(b as usize), share(below, above));
+        let mut point = between(self.vertex(a as usize), self.vertex(b as usize), fraction(below, above));
         point[2] = self.center[2];
         (direction[1].atan2(direction[0]), point)
     }

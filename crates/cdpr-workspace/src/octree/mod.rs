@@ -124,8 +124,8 @@ impl<'a> Octree<'a> {
     fn point(&self, node: Node) -> Point {
         let mut point = [0.0; 3];
         for axis in 0..self.dimension {
-            let share = node[axis] as f64 / self.counts[axis] as f64;
-            point[axis] = self.bounds.least()[axis] + share * self.bounds.extent(axis);
+            let fraction = node[axis] as f64 / self.counts[axis] as f64;
+            point[axis] = self.bounds.least()[axis] + fraction * self.bounds.extent(axis);
         }
         point
     }

@@ -34,13 +34,13 @@ impl Octree<'_> {
     /// Sums over its cells.
     pub fn outcome(&self) -> Outcome {
         let (mixed, corners) = (self.cells.len() as f64, (1 << self.dimension) as f64);
-        let shares: f64 = self.cells.iter().map(|cell| f64::from(cell.corners.count_ones()) / corners).sum();
+        let fractions: f64 = self.cells.iter().map(|cell| f64::from(cell.corners.count_ones()) / corners).sum();
         let mixed_above = self.cells.iter().filter(|cell| cell.corners & 1 == 1).count();
         // a cell whose lower corner holds is all inside, or the boundary passes it
         let inside = (self.holding_lower_corners() - mixed_above as i64) as f64;
         let cells: usize = self.counts[..self.dimension].iter().product();
         let smallest = self.bounds.size() / cells as f64;
-        let size = inside + shares;
+        let size = inside + fractions;
         let mut start_cell = [0.0; 3];
         for axis in 0..self.dimension {
             start_cell[axis] = self.bounds.extent(axis) / self.counts[axis] as f64 * self.start as f64;

@@ -47,8 +47,8 @@ impl Octree<'_> {
         let mut seeds = Vec::with_capacity(counts.iter().product());
         for index in 0..counts.iter().product::<usize>() {
             let cell = [index % counts[0], index / counts[0] % counts[1], index / (counts[0] * counts[1])];
-            let share = [0, 1, 2].map(|axis| (cell[axis] as f64 + random.random::<f64>()) / counts[axis] as f64);
-            let place = |axis: usize| (share[axis] * self.counts[axis] as f64).round() as usize;
+            let fraction = [0, 1, 2].map(|axis| (cell[axis] as f64 + random.random::<f64>()) / counts[axis] as f64);
+            let place = |axis: usize| (fraction[axis] * self.counts[axis] as f64).round() as usize;
             seeds.push([0, 1, 2].map(|axis| if axis < self.dimension { place(axis) } else { 0 }));
         }
         seeds
@@ -62,8 +62,8 @@ impl Octree<'_> {
             if axis >= self.dimension {
                 return 0;
             }
-            let share = (point[axis] - self.bounds.least()[axis]) / self.bounds.extent(axis);
-            ((share * self.counts[axis] as f64).round().max(0.0) as usize).min(self.counts[axis])
+            let fraction = (point[axis] - self.bounds.least()[axis]) / self.bounds.extent(axis);
+            ((fraction * self.counts[axis] as f64).round().max(0.0) as usize).min(self.counts[axis])
         }))
     }
 }

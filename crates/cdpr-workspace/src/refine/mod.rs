@@ -35,7 +35,7 @@ pub trait Search {
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Goal {
     /// Bound of the error divided by the size.
-    pub share: f64,
+    pub fraction: f64,
     /// Poses that may be judged for it, in units of [`Criterion::effort`](super::Criterion::effort).
     pub effort: f64,
     /// False where a step or a number of rays was asked for: then nothing is refined.
@@ -76,7 +76,7 @@ const EMPTY_SHARE: f64 = 1e-4;
 impl Goal {
     /// A bound of 1 % within about a second.
     pub fn usual() -> Self {
-        Self { share: 0.01, effort: 2e6, refines: true }
+        Self { fraction: 0.01, effort: 2e6, refines: true }
     }
 
     /// Poses of this region that may be judged.
@@ -106,7 +106,7 @@ pub fn refine<S: Search>(
         spent += points;
         let Some(least) = size else { return Ok(Refined { found, audit, stop: Stop::NoSize }) };
         let is_empty = least == 0.0 && audit.missed == 0;
-        let wanted = if is_empty { EMPTY_SHARE * bounds.size() } else { goal.share * least };
+        let wanted = if is_empty { EMPTY_SHARE * bounds.size() } else { goal.fraction * least };
         let costs = [4.0 * points, judged as f64 * search.growth() + points];
         let [has_points, has_refinement] = costs.map(|cost| spent + cost <= allowed && look < LOOKS);
         if !goal.refines {

@@ -50,8 +50,8 @@ impl Lattice<'_> {
         let mut point = [0.0; 3];
         for axis in 0..self.bounds.dimension() {
             let steps = self.counts[axis] as f64 - 1.0 + 2.0 * self.inset;
-            let share = ((node[axis] as f64 - 1.0 + self.inset) / steps).clamp(0.0, 1.0);
-            point[axis] = self.bounds.least()[axis] + share * self.bounds.extent(axis);
+            let fraction = ((node[axis] as f64 - 1.0 + self.inset) / steps).clamp(0.0, 1.0);
+            point[axis] = self.bounds.least()[axis] + fraction * self.bounds.extent(axis);
         }
         point
     }

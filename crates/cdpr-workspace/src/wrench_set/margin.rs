@@ -91,9 +91,9 @@ impl Zonotope {
     pub fn margin(&self, required: &RequiredSet) -> Option<Margin> {
         let (distance, facet) = self.nearest(required)?;
         let half_space = self.half_space(&facet);
-        let share = |index: &usize| dot(&facet.normal, &self.generators[*index]).abs();
-        let strongest = (0..self.generators.len()).max_by(|a, b| share(a).total_cmp(&share(b)));
-        let cable = strongest.filter(|index| share(index) > self.tolerance()).map(|index| self.cables[index]);
+        let fraction = |index: &usize| dot(&facet.normal, &self.generators[*index]).abs();
+        let strongest = (0..self.generators.len()).max_by(|a, b| fraction(a).total_cmp(&fraction(b)));
+        let cable = strongest.filter(|index| fraction(index) > self.tolerance()).map(|index| self.cables[index]);
         Some(Margin { distance, wrench: required.furthest(&half_space.normal), half_space, cable })
     }
 

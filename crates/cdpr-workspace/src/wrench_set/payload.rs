@@ -139,8 +139,8 @@ impl Payload {
         let moment_arm = pose.rotation * self.center_of_mass;
         let rotation = pose.rotation_matrix();
         // a massless payload has no inertia either
-        let share = if self.mass[1] > 0.0 { mass / self.mass[1] } else { 0.0 };
-        let inertia = rotation * self.inertia * rotation.transpose() * share;
+        let fraction = if self.mass[1] > 0.0 { mass / self.mass[1] } else { 0.0 };
+        let inertia = rotation * self.inertia * rotation.transpose() * fraction;
         let rows = |force: Vector3<f64>, moment: Vector3<f64>| -> Vec<f64> {
             let wrench = Wrench::new(force.x, force.y, force.z, moment.x, moment.y, moment.z);
             model.twist_basis().iter().map(|twist| twist.dot(&wrench)).collect()

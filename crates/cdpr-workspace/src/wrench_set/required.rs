@@ -126,8 +126,8 @@ impl Parallelotope {
     fn furthest(&self, normal: &[f64]) -> Vec<f64> {
         let mut point = self.center.clone();
         for edge in &self.edges {
-            let share: f64 = edge.iter().zip(normal).map(|(a, b)| a * b).sum();
-            let sign = if share < 0.0 { -1.0 } else { 1.0 };
+            let fraction: f64 = edge.iter().zip(normal).map(|(a, b)| a * b).sum();
+            let sign = if fraction < 0.0 { -1.0 } else { 1.0 };
             point.iter_mut().zip(edge).for_each(|(sum, row)| *sum += sign * row);
         }
         point

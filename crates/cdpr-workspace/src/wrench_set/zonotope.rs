@@ -193,9 +193,9 @@ impl Zonotope {
     fn shift(&mut self, normal: Rows, free: u64) {
         let (mut width, mut plus) = (0.0, 0);
         for (index, generator) in self.generators.iter().enumerate() {
-            let share = dot(&normal, generator);
-            width += share.abs();
-            if share > 0.0 && free & (1 << index) == 0 {
+            let fraction = dot(&normal, generator);
+            width += fraction.abs();
+            if fraction > 0.0 && free & (1 << index) == 0 {
                 plus |= 1 << index;
             }
         }

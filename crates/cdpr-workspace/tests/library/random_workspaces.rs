@@ -42,8 +42,8 @@ impl Random {
         let size = rng.random_range(0.02..0.2) * sides.min();
         let cable = |rng: &mut ChaCha8Rng| {
             let mut a = Vector3::from_fn(|axis, _| {
-                let share = if rng.random_bool(0.7) { rng.random_range(0..2) as f64 } else { rng.random::<f64>() };
-                sides[axis] * share
+                let fraction = if rng.random_bool(0.7) { rng.random_range(0..2) as f64 } else { rng.random::<f64>() };
+                sides[axis] * fraction
             });
             if is_hanging {
                 a[top] = sides[top] * rng.random_range(0.9..1.0);
@@ -122,7 +122,7 @@ fn measure<S: Search>(
         return;
     };
     let bound = refined.audit.error_bound();
-    tally.small += usize::from(bound <= goal.share * size);
+    tally.small += usize::from(bound <= goal.fraction * size);
     if (size - truth).abs() > bound + away {
         tally.outside.push(format!("{size} ± {bound}, by independent points {truth} ± {away}"));
     }

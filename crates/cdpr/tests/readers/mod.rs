@@ -196,7 +196,7 @@ pub(crate) fn check_map(bytes: &[u8]) {
     for components in [[0.0, 4.0], [0.7, 3.1], [-1.0, 4.9], [1.52, 4.0], [9.0, 9.0]] {
         let pose = model.robot().motion_pattern.pose(model.robot().plane, &components).expect("is a pose");
         let correction = map.at(&pose);
-        assert!((0.0..=1.0).contains(&correction.share) && correction.lengths.iter().all(|own| own.is_finite()));
+        assert!((0.0..=1.0).contains(&correction.fraction) && correction.lengths.iter().all(|own| own.is_finite()));
     }
     let text = map.to_toml();
     let again = Compensation::from_toml_bytes(text.as_bytes(), "any.toml", model).expect("is a map again");

@@ -89,10 +89,10 @@ impl Mixed {
             };
             let next = |k: usize| self.asked.get(k + 1).unwrap_or(&asked);
             let changes = columns(&|k| next(k) - &self.asked[k]);
-            if let Some(Ok(shares)) =
+            if let Some(Ok(fractions)) =
                 svd(changes.clone(), true, true).map(|svd| svd.solve(&asked, MIXED_REGULAR * svd.singular_values.max()))
             {
-                step -= (columns(&|k| self.taken[k].clone()) + changes) * shares;
+                step -= (columns(&|k| self.taken[k].clone()) + changes) * fractions;
             }
         }
         if self.asked.len() == MOST_MIXED {

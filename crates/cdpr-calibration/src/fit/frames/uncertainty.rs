@@ -67,12 +67,12 @@ fn weak(fit: &mut Fit, found: &Found, limit: f64) {
         if deviation <= limit {
             continue;
         }
-        let share = |frame: RecordingParameter| {
+        let fraction = |frame: RecordingParameter| {
             let of_frame = |place: &usize| found.directions.list[*place].frame == frame;
             let places = (0..found.directions.list.len()).filter(of_frame);
             places.map(|place| found.eliminated.told[(place, k)].powi(2)).sum::<f64>()
         };
-        let names = RecordingParameter::FRAMES.into_iter().filter(|frame| share(*frame) > 0.1);
+        let names = RecordingParameter::FRAMES.into_iter().filter(|frame| fraction(*frame) > 0.1);
         let names: Vec<&str> = names.map(RecordingParameter::name).collect();
         let analysis = &mut fit.analysis;
         analysis.weak_directions.push(format!(

@@ -22,8 +22,8 @@ fn course(model: &Model, parameters: &[Parameter]) -> Vec<Vec<f64>> {
     let at = |size: f64| {
         let moved = |(k, parameter): (usize, &Parameter)| {
             // lengths are scaled by a tenth of a per mille where anchors move by a millimetre
-            let share = if parameter.unit(model.robot()).is_empty() { 0.1 } else { 1.0 };
-            parameter.value(model.robot()) + share * size * (k as f64).sin()
+            let fraction = if parameter.unit(model.robot()).is_empty() { 0.1 } else { 1.0 };
+            parameter.value(model.robot()) + fraction * size * (k as f64).sin()
         };
         parameters.iter().enumerate().map(moved).collect()
     };

@@ -211,8 +211,8 @@ pub(super) fn orthonormalise(columns: &mut DMatrix<f64>, count: usize) {
         let before = columns.column(k).norm();
         for j in 0..k {
             let (done, mut rest) = columns.columns_range_pair_mut(j..=j, k..);
-            let share = done.column(0).dot(&rest.column(0));
-            rest.column_mut(0).axpy(-share, &done.column(0), 1.0);
+            let fraction = done.column(0).dot(&rest.column(0));
+            rest.column_mut(0).axpy(-fraction, &done.column(0), 1.0);
         }
         let norm = columns.column(k).norm();
         columns.column_mut(k).scale_mut(if norm > WITHIN * before { norm.recip() } else { 0.0 });

@@ -14,8 +14,8 @@ use crate::scalar::{Smooth, add, dot, scale};
 
 /// The middle of an element, with its share of the length.
 pub(super) fn node(element: usize, count: usize) -> Node {
-    let share = 1.0 / count as f64;
-    Node { at: (element as f64 + 0.5) * share, weight: share }
+    let fraction = 1.0 / count as f64;
+    Node { at: (element as f64 + 0.5) * fraction, weight: fraction }
 }
 
 pub(super) fn vector<T: Smooth>(state: &State<T>, weight: [T; 3], stretch: &Stretch, count: usize) -> [T; 3] {
@@ -26,8 +26,8 @@ pub(super) fn vector<T: Smooth>(state: &State<T>, weight: [T; 3], stretch: &Stre
         let tau = at(force, length, weight, &node);
         let tension = dot(tau, tau).sqrt();
         let (value, slope) = factor(tension.value(), stretch);
-        let share = tension.chain(value, slope) * length * length.constant(node.weight);
-        sum = add(sum, scale(share, tau));
+        let fraction = tension.chain(value, slope) * length * length.constant(node.weight);
+        sum = add(sum, scale(fraction, tau));
     }
     sum
 }

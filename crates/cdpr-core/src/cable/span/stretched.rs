@@ -41,8 +41,8 @@ pub(super) fn along_chord<T: Smooth>(force: [T; 3], length: T, weight: [T; 3], s
     }
     nodes(stretch).iter().fold(zero, |sum, node| {
         let tau = at(force, length, weight, node);
-        let share = secant(tau, stretch) * length * length.constant(node.weight);
-        add(sum, scale(share, tau))
+        let fraction = secant(tau, stretch) * length * length.constant(node.weight);
+        add(sum, scale(fraction, tau))
     })
 }
 

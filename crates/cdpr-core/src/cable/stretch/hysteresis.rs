@@ -188,11 +188,11 @@ impl Hysteresis {
         let moved = strain - strain.constant(memory.strain);
         let (mut state, mut slope) = (zero, zero);
         for (operator, &before) in self.stops.iter().zip(&memory.stops) {
-            let (rate, share) = (strain.constant(operator.rate), strain.constant(operator.weight));
+            let (rate, fraction) = (strain.constant(operator.rate), strain.constant(operator.weight));
             let free = strain.constant(before) + moved * rate;
             let (is_below, is_inside) = (free.is_less(-one), free.is_less(one));
-            state = state + share * (-one).select(is_below, free.select(is_inside, one));
-            slope = slope + share * zero.select(is_below, rate.select(is_inside, zero));
+            state = state + fraction * (-one).select(is_below, free.select(is_inside, one));
+            slope = slope + fraction * zero.select(is_below, rate.select(is_inside, zero));
         }
         (state, slope)
     }

@@ -45,8 +45,8 @@ pub struct Move {
 /// The way in this many stages of equal change of tension.
 pub fn approach(task: &Task<'_>, from: &[f64], to: &[f64], stages: usize) -> Result<Approach, InputError> {
     let stage = |k: usize| -> Result<Stage, InputError> {
-        let share = k as f64 / stages.max(1) as f64;
-        let tensions: Vec<f64> = from.iter().zip(to).map(|(from, to)| from + share * (to - from)).collect();
+        let fraction = k as f64 / stages.max(1) as f64;
+        let tensions: Vec<f64> = from.iter().zip(to).map(|(from, to)| from + fraction * (to - from)).collect();
         Ok(Stage { offsets: offsets_of(task, &tensions)?, tensions, moves: Vec::new() })
     };
     let mut stages: Vec<Stage> = (0..=stages.max(1)).map(stage).collect::<Result<_, _>>()?;

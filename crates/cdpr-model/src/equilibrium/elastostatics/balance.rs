@@ -89,8 +89,8 @@ impl Problem<'_> {
         let taut = floor.is_less(stretch);
         let pull = Pull::without_energy(at_rest, by_length, stretch);
         let force_at_rest = at_rest * stretch;
-        let share = energy_share(lanes, by_length * force_at_rest);
-        Pull { stiffness: pull.stiffness.select(taut, zero), energy: force_at_rest * stretch * share, ..pull }
+        let fraction = energy_share(lanes, by_length * force_at_rest);
+        Pull { stiffness: pull.stiffness.select(taut, zero), energy: force_at_rest * stretch * fraction, ..pull }
     }
 }
 

@@ -89,9 +89,9 @@ impl Problem<'_> {
             format!("the guess leads to no answer: the pose was found from other starts, {restarts} of them, and may not be the only one")
         });
         let contradicts = (rms > REMARKABLE_RESIDUAL * self.mean_length).then(|| {
-            let share = 100.0 * rms / self.mean_length;
+            let fraction = 100.0 * rms / self.mean_length;
             format!(
-                "the lengths contradict each other by {rms:.3} m rms ({share:.1} % of their mean): this is the pose that fits \
+                "the lengths contradict each other by {rms:.3} m rms ({fraction:.1} % of their mean): this is the pose that fits \
                  them best near its start; an uncalibrated scale or offset, or the wrong robot, would explain it"
             )
         });

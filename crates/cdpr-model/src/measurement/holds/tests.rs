@@ -38,8 +38,8 @@ impl Course {
     /// Position that is meant, and the time since the platform came to rest there (s).
     fn at(&self, time: f64) -> (Vector3<f64>, Option<f64>) {
         let (lap, within) = ((time / (HOLD + WAY)).floor(), time % (HOLD + WAY));
-        let share = ((within - HOLD) / WAY).clamp(0.0, 1.0);
-        let smooth = 0.5 * (1.0 - (std::f64::consts::PI * share).cos());
+        let fraction = ((within - HOLD) / WAY).clamp(0.0, 1.0);
+        let smooth = 0.5 * (1.0 - (std::f64::consts::PI * fraction).cos());
         (place(lap) + (place(lap + 1.0) - place(lap)) * smooth, (within <= HOLD).then_some(within))
     }
 

@@ -15,10 +15,10 @@ pub fn hysteresis_law(table: &HysteresisTable) -> Result<Hysteresis, StretchErro
         middle: halved(piece.loading.0, piece.unloading.0, 1.0),
         half: halved(piece.loading.0, piece.unloading.0, -1.0),
     });
-    let shares = table.shares();
-    let total: f64 = shares.iter().sum();
-    let stops = table.transition_strain.iter().zip(shares);
-    let stops = stops.map(|(strain, share)| StopOperator { rate: 2.0 / strain, weight: share / total });
+    let fractions = table.fractions();
+    let total: f64 = fractions.iter().sum();
+    let stops = table.transition_strain.iter().zip(fractions);
+    let stops = stops.map(|(strain, fraction)| StopOperator { rate: 2.0 / strain, weight: fraction / total });
     let last_width = checked.last().map_or(0.0, |piece| piece.width);
     Hysteresis::new(pieces.collect(), last_width, stops.collect()).ok_or(StretchError::Entries {
         key: "strain",
@@ -36,13 +36,13 @@ pub(super) fn law(cable: &Cable) -> Result<Option<Stretch>, StretchError> {
 /// Numbers of the cable's table that a test bench measures: both branches, which begin at zero tension, and what leads from one to the other.
 pub(super) fn count(cable: &Cable) -> usize {
     let Some(table) = &cable.hysteresis else { return 0 };
-    let (slopes, shares) = ([&table.loading_slope_N, &table.unloading_slope_N], &table.transition_share);
+    let (slopes, fractions) = ([&table.loading_slope_N, &table.unloading_slope_N], &table.transition_share);
     let branches = [&table.loading_N, &table.unloading_N].map(|branch| branch.len().saturating_sub(1));
     branches.iter().sum::<usize>()
         + slopes.into_iter().flatten().map(Vec::len).sum::<usize>()
         + table.transition_strain.len()
         // the shares add up to 1
-        + shares.as_ref().map_or(0, |shares| shares.len().saturating_sub(1))
+        + fractions.as_ref().map_or(0, |fractions| fractions.len().saturating_sub(1))
 }
 
 /// Branches of a cable that stiffens from this axial stiffness (N) on, a tenth apart in the middle.

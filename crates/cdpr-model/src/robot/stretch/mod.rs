@@ -261,7 +261,7 @@ impl HysteresisTable {
     }
 
     /// Shares of the transitions, equal when the table has none.
-    pub(crate) fn shares(&self) -> Vec<f64> {
+    pub(crate) fn fractions(&self) -> Vec<f64> {
         let count = self.transition_strain.len();
         self.transition_share.clone().unwrap_or_else(|| vec![1.0 / count as f64; count])
     }
@@ -308,15 +308,15 @@ impl HysteresisTable {
         if let Some(&found) = self.transition_strain.iter().find(|&&x| !(x > 0.0 && x.is_finite())) {
             return Err(StretchError::Transition { key, found, rule: "a transition takes a strain above zero" });
         }
-        let Some(shares) = &self.transition_share else { return Ok(()) };
+        let Some(fractions) = &self.transition_share else { return Ok(()) };
         let (key, of) = ("transition_share", "transition_strain");
-        if shares.len() != found {
-            return Err(StretchError::Count { key, found: shares.len(), expected: found, of });
+        if fractions.len() != found {
+            return Err(StretchError::Count { key, found: fractions.len(), expected: found, of });
         }
-        if let Some(&found) = shares.iter().find(|&&x| !(x >= 0.0 && x.is_finite())) {
+        if let Some(&found) = fractions.iter().find(|&&x| !(x >= 0.0 && x.is_finite())) {
             return Err(StretchError::Transition { key, found, rule: "a share is not negative" });
         }
-        let sum: f64 = shares.iter().sum();
+        let sum: f64 = fractions.iter().sum();
         if (sum - 1.0).abs() > SHARE_TOLERANCE {
             return Err(StretchError::Transition { key, found: sum, rule: "that is the sum, and shares add up to 1" });
         }

@@ -24,8 +24,8 @@ fn problem(rng: &mut ChaCha8Rng, n: usize, redundancy: usize) -> (DMatrix<f64>, 
 /// Tensions, and which cables are on a limit.
 fn found(method: Method, matrix: &DMatrix<f64>, wrench: &[f64], limits: &Limits) -> Option<(Vec<f64>, Vec<usize>)> {
     let answer = solve(method, matrix, wrench, limits, &Options::default()).unwrap();
-    let share = if method == Method::Dykstra { dykstra::ON_LIMIT } else { ON_LIMIT };
-    let free = between(limits, &answer.tensions, share);
+    let fraction = if method == Method::Dykstra { dykstra::ON_LIMIT } else { ON_LIMIT };
+    let free = between(limits, &answer.tensions, fraction);
     (answer.status == Status::Feasible).then_some((answer.tensions, free))
 }
 

@@ -5,12 +5,12 @@ use cdpr_model::robot::HysteresisTable;
 use cdpr_study::sensitivity::{Kink, PoseSensitivity};
 
 /// Cables whose unloading branch lies a share below, with turns of 4e-4 and 9e-4 of strain between.
-fn remembering(mut robot: Robot, share: f64) -> Robot {
+fn remembering(mut robot: Robot, fraction: f64) -> Robot {
     for cable in &mut robot.cables {
         cable.hysteresis = Some(HysteresisTable {
             strain: vec![0.0, 0.005, 0.1],
             loading_N: vec![0.0, 1.2e4, 3e5],
-            unloading_N: vec![0.0, 1.2e4 * (1.0 - share), 3e5],
+            unloading_N: vec![0.0, 1.2e4 * (1.0 - fraction), 3e5],
             loading_slope_N: None,
             unloading_slope_N: None,
             transition_strain: vec![4e-4, 9e-4],
@@ -132,9 +132,9 @@ fn poses_behind_the_end_of_a_branch_have_differences() {
 #[test]
 fn poses_behind_one_without_an_answer_have_differences() {
     // wide loops, and narrow ones that all motions cross
-    for (share, transition, is_forgotten) in [(0.15, 2e-3, false), (0.001, 1e-6, true)] {
+    for (fraction, transition, is_forgotten) in [(0.15, 2e-3, false), (0.001, 1e-6, true)] {
         let mut case = planar_machine("elastic");
-        let mut robot = remembering(case.machine.robot().clone(), share);
+        let mut robot = remembering(case.machine.robot().clone(), fraction);
         for cable in &mut robot.cables {
             cable.hysteresis.as_mut().unwrap().transition_strain = vec![transition, 0.5 * transition];
         }

@@ -188,7 +188,7 @@ impl Twin {
 fn dual_elasticity(model: &Model, index: usize, law: &Elasticity<f64>, hidden: Dual) -> Elasticity<Dual> {
     let specific = law.by_length + law.by_controlled_length;
     let more = if specific > 0.0 { variable(specific, COMPLIANCE) } else { Dual::from(0.0) };
-    let by = |share: f64| if share > 0.0 { more } else { Dual::from(0.0) };
+    let by = |fraction: f64| if fraction > 0.0 { more } else { Dual::from(0.0) };
     let rest = law.constant - specific * model.law(index).hidden_length;
     Elasticity {
         by_length: by(law.by_length),

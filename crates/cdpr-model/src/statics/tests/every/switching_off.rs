@@ -31,19 +31,19 @@ struct Effect {
 const EFFECTS: [Effect; 4] = [
     Effect {
         word: "pulley",
-        scale: |robot, share| {
+        scale: |robot, fraction| {
             each(robot, |cable| {
-                cable.pulley_radius().into_iter().for_each(|radius| cable.set_pulley_radius(radius * share))
+                cable.pulley_radius().into_iter().for_each(|radius| cable.set_pulley_radius(radius * fraction))
             })
         },
     },
     Effect {
         word: "elastic",
-        scale: |robot, share| {
+        scale: |robot, fraction| {
             each(robot, |cable| {
                 let compliance = cable.specific_compliance().unwrap_or(1e-6);
-                cable.stiffness = Some(CableStiffness::Compliance(compliance * share));
-                cable.series_compliance = cable.series_compliance.map(|series| series * share);
+                cable.stiffness = Some(CableStiffness::Compliance(compliance * fraction));
+                cable.series_compliance = cable.series_compliance.map(|series| series * fraction);
             });
         },
     },
@@ -51,8 +51,8 @@ const EFFECTS: [Effect; 4] = [
     Effect { word: "finite-element", scale: lighter },
 ];
 
-fn lighter(robot: &mut Robot, share: f64) {
-    each(robot, |cable| cable.linear_density = cable.linear_density.map(|density| density * share));
+fn lighter(robot: &mut Robot, fraction: f64) {
+    each(robot, |cable| cable.linear_density = cable.linear_density.map(|density| density * fraction));
 }
 
 fn each(robot: &mut Robot, change: impl Fn(&mut crate::robot::Cable)) {
@@ -93,9 +93,9 @@ fn effects_that_vanish_leave_the_model_without_them() {
 
 fn vanishes(robot: &Robot, effect: &Effect, composition: Composition, seed: u64) {
     let without = Model::new(robot.clone(), composition.without(effect.word)).unwrap();
-    let with = |share: f64| {
+    let with = |fraction: f64| {
         let mut scaled = robot.clone();
-        (effect.scale)(&mut scaled, share);
+        (effect.scale)(&mut scaled, fraction);
         Model::new(scaled, composition).unwrap()
     };
     let models = [1e-3, 1e-4, 0.0].map(with);
