@@ -8,8 +8,8 @@ use super::further_columns::further_column;
 use super::normal_equations::{Columns, NormalEquations, Sums, exact};
 use super::pose_lanes::{CableValues, PoseLanes};
 use super::recordings::{Recorder, Recordings};
+use super::unit_scale::UnitScale;
 use super::weights::Weights;
-use super::worth::Worth;
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;
 use cdpr_model::robot::{Parameter, ParameterKind};
@@ -28,7 +28,7 @@ pub(super) struct Block {
     /// Place of each parameter in a row of [`SLOTS`] derivatives, or behind it.
     slots: Vec<usize>,
     turns: Turns,
-    worth: Worth,
+    unit_scale: UnitScale,
     pub(super) start: CableValues,
     /// Recorded lengths, padded (m).
     recorded: Vec<f64>,
@@ -59,7 +59,7 @@ impl Block {
         Self {
             cable,
             turns: Turns::of(model, cable, &parameters),
-            worth: Worth::of(&model.robot().cables[cable], mean_length),
+            unit_scale: UnitScale::of(&model.robot().cables[cable], mean_length),
             slots: parameters.iter().map(|parameter| slot(model, parameter)).collect(),
             recorder: Recorder::of(model, cable, &parameters, samples),
             parameters,
@@ -89,7 +89,7 @@ impl Block {
 
     /// Metres that one unit of a parameter is worth.
     pub(super) fn scale(&self, kind: ParameterKind) -> f64 {
-        self.worth.metres(kind)
+        self.unit_scale.metres(kind)
     }
 
     /// The cable's values after moving the block's parameters by `change`.

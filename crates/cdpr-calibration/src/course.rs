@@ -7,7 +7,7 @@ use super::fit::{Fit, InputError, Settings};
 use super::identifiability::{rank_and_condition, singular_values, with_unit_columns};
 use super::objective::Objective;
 use super::plain_rows::{PlainRows, RowKind};
-use super::worth::joint_worths;
+use super::unit_scale::joint_scales;
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;
 use cdpr_model::robot::Parameter;
@@ -54,12 +54,12 @@ pub fn course(samples: &Samples, fit: &Fit, settings: &Settings) -> Result<Vec<C
     places.push(fit.parameters.iter().map(|estimate| estimate.value).collect());
     places.dedup();
     let tensions = samples.tensions.as_deref().unwrap_or_default();
-    let worths = joint_worths(&fit.model, &parameters, &samples.lengths, tensions);
+    let scales = joint_scales(&fit.model, &parameters, &samples.lengths, tensions);
     let mut steps: Vec<CourseStep> = Vec::with_capacity(places.len());
     for values in places {
         let model = fit.model.with_parameters(&parameters, &values).ok_or(InputError::NotFinite)?;
         let changes = steps.last().map(|before| values.iter().zip(&before.values).map(|(now, before)| now - before));
-        let step_m = changes.map(|changes| minimizer::size(&changes.collect::<Vec<f64>>(), &worths));
+        let step_m = changes.map(|changes| minimizer::size(&changes.collect::<Vec<f64>>(), &scales));
         let recorded = model.with_lengths(&samples)?;
         steps.push(step((&model, &parameters), &recorded, settings, (values, step_m))?);
     }

@@ -53,10 +53,10 @@ mod stopping;
 mod student;
 pub mod test_bench;
 mod trail;
+mod unit_scale;
 mod verdict;
 mod weights;
 mod words;
-mod worth;
 
 pub use bootstrap::standard_error;
 pub use candidate::Candidate;

@@ -40,7 +40,7 @@ struct Rule {
 impl Judged {
     /// True where a map keeps all rules and helps, and the verdict with its rules in words.
     pub(super) fn verdict(&self) -> (bool, String) {
-        let rules = [self.sure(), self.worth(), self.poses()];
+        let rules = [self.sure(), self.gain(), self.poses()];
         let words = |holds: bool| -> String {
             let own = rules.iter().filter(|rule| rule.holds == holds).map(|rule| rule.words.as_str());
             own.collect::<Vec<_>>().join("; ")
@@ -49,8 +49,8 @@ impl Judged {
         if broken.is_empty() {
             return (true, format!("on samples held out the map helps, by every rule: {kept}"));
         }
-        let [sure, worth, _] = &rules;
-        let cause = match sure.holds && worth.holds {
+        let [sure, gain, _] = &rules;
+        let cause = match sure.holds && gain.holds {
             true => "lengths are better with it, but poses are not",
             false => "what the model leaves is noise, or changes too fast over the workspace for these samples",
         };
@@ -81,7 +81,7 @@ impl Judged {
     }
 
     /// A gain that is worth a map.
-    fn worth(&self) -> Rule {
+    fn gain(&self) -> Rule {
         let [before, after] = [self.without, self.with].map(|errors| errors.length_error_m.rms);
         let (words, fraction) = (mm("length errors are", "rms", [before, after]), 1e2 * WORTH);
         let words = format!("{words} (less than {fraction:.0} % of that are asked)");

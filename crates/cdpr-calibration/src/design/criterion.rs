@@ -26,17 +26,17 @@ pub enum DesignCriterion {
 keywords!(DesignCriterion: D = "d", A = "a", E = "e", I = "i", Condition = "condition", Factorial = "factorial");
 
 impl DesignCriterion {
-    /// Score of a block of M, in the unit of its `worths` (m); smaller is better. Blocks join by [`DesignCriterion::joined`].
-    pub(super) fn of_block(self, block: &DMatrix<f64>, region: &DMatrix<f64>, worths: &[f64]) -> BlockScore {
+    /// Score of a block of M, in the unit of its `scales` (m); smaller is better. Blocks join by [`DesignCriterion::joined`].
+    pub(super) fn of_block(self, block: &DMatrix<f64>, region: &DMatrix<f64>, scales: &[f64]) -> BlockScore {
         match self {
             Self::D | Self::Factorial => BlockScore::Sum(log_det(block).map_or(f64::INFINITY, |log_det| -log_det)),
             Self::A | Self::I => BlockScore::Sum(inverse(block).map_or(f64::INFINITY, |inverse| match self {
-                Self::A => (0..worths.len()).map(|k| inverse[(k, k)] * worths[k] * worths[k]).sum(),
+                Self::A => (0..scales.len()).map(|k| inverse[(k, k)] * scales[k] * scales[k]).sum(),
                 _ => inverse.component_mul(region).sum(),
             })),
             Self::E | Self::Condition => {
                 let scaled =
-                    DMatrix::from_fn(worths.len(), worths.len(), |i, j| block[(i, j)] / (worths[i] * worths[j]));
+                    DMatrix::from_fn(scales.len(), scales.len(), |i, j| block[(i, j)] / (scales[i] * scales[j]));
                 let values = symmetric_eigen(scaled).map(|found| found.eigenvalues);
                 let ends = values.map_or((0.0, 0.0), |values| (values.min().max(0.0), values.max()));
                 BlockScore::Ends(ends.0, ends.1)

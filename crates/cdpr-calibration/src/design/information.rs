@@ -9,8 +9,8 @@ use crate::fit::{InputError, RowWeights, Settings, explains_tensions};
 use crate::identifiability::{prior_weights, rank_and_condition, singular_values};
 use crate::plain_rows::length_rows;
 use crate::pose_lanes::PoseLanes;
+use crate::unit_scale::joint_scales;
 use crate::weights::{Weights, length_weights};
-use crate::worth::joint_worths;
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;
 use cdpr_model::robot::Parameter;
@@ -43,7 +43,7 @@ struct Block {
     /// Mean of uᵀu over candidates and cables, u the derivatives of a length.
     region: DMatrix<f64>,
     /// Metres that a unit of each parameter is worth.
-    worths: Vec<f64>,
+    scales: Vec<f64>,
     /// Diagonal that is added while designs are compared.
     held: DVector<f64>,
 }
@@ -86,7 +86,7 @@ impl Information {
         let given_rows = given_rows.transpose()?;
         let priors = prior_weights(parameters, settings);
         let mean_length = vec![samples.lengths.iter().sum::<f64>() / samples.lengths.len().max(1) as f64];
-        let worths = joint_worths(model, parameters, &mean_length, samples.tensions.as_deref().unwrap_or(&[]));
+        let scales = joint_scales(model, parameters, &mean_length, samples.tensions.as_deref().unwrap_or(&[]));
         let columns = |matrices: &[DMatrix<f64>], places: &[usize]| -> PoseRows {
             matrices.iter().map(|matrix| without_zero_rows(matrix.select_columns(places))).collect()
         };
@@ -106,7 +106,7 @@ impl Information {
             region /= (lengths.len() * model.cable_count()) as f64;
             let mean: DMatrix<f64> = own.iter().sum::<DMatrix<f64>>() / own.len() as f64;
             let largest = mean.diagonal().max();
-            let worths: Vec<f64> = places.iter().map(|&k| worths[k]).collect();
+            let scales: Vec<f64> = places.iter().map(|&k| scales[k]).collect();
             let held = mean.diagonal().map(|entry| HELD * if entry > 0.0 { entry } else { largest });
             Block {
                 rows,
@@ -115,7 +115,7 @@ impl Information {
                 priors: places.iter().map(|&k| priors[k].sqrt()).collect(),
                 base,
                 region,
-                worths,
+                scales,
                 held,
             }
         };
@@ -128,12 +128,12 @@ impl Information {
 
     /// Number of parameters.
     pub(super) fn parameter_count(&self) -> usize {
-        self.blocks.iter().map(|block| block.worths.len()).sum()
+        self.blocks.iter().map(|block| block.scales.len()).sum()
     }
 
     /// Steps that the score of one set takes, to within a factor.
     pub(super) fn effort(&self) -> f64 {
-        self.blocks.iter().map(|block| (block.worths.len() as f64).powi(3) + 500.0).sum()
+        self.blocks.iter().map(|block| (block.scales.len() as f64).powi(3) + 500.0).sum()
     }
 
     /// M of what is known already, regular.
@@ -161,7 +161,7 @@ impl Information {
     /// Score of M; smaller is better.
     pub(super) fn score(&self, criterion: DesignCriterion, sum: &[DMatrix<f64>]) -> f64 {
         let blocks = self.blocks.iter().zip(sum);
-        criterion.joined(blocks.map(|(block, sum)| criterion.of_block(sum, &block.region, &block.worths)))
+        criterion.joined(blocks.map(|(block, sum)| criterion.of_block(sum, &block.region, &block.scales)))
     }
 
     /// Score of M with one more candidate, in scratch memory of its size.
@@ -182,7 +182,7 @@ impl Information {
         let (mut values, mut rows) = (Vec::new(), 0);
         let (mut log_dets, mut traces, mut variances) = (Some(0.0), Some(0.0), Some(0.0));
         for block in &self.blocks {
-            let mut factor = TriangularFactor::new(block.worths.len());
+            let mut factor = TriangularFactor::new(block.scales.len());
             for matrix in chosen.iter().map(|&candidate| &block.rows[candidate]).chain(&block.given) {
                 matrix.row_iter().for_each(|row| factor.push(row.iter().copied()));
                 rows += matrix.nrows();

@@ -8,7 +8,7 @@ pub(super) use crate::joint_descent::End;
 use crate::joint_descent::{Around, Equations, System, damped_step, descend};
 use crate::loss::RobustLoss;
 use crate::misfit::Misfit;
-use crate::worth::joint_worths;
+use crate::unit_scale::joint_scales;
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;
 use cdpr_model::robot::Parameter;
@@ -58,7 +58,7 @@ impl<'a> Problem<'a> {
             settings,
             loss: None,
             start: parameters.iter().map(|parameter| parameter.value(model.robot())).collect(),
-            scale: joint_worths(model, parameters, &samples.lengths, tensions),
+            scale: joint_scales(model, parameters, &samples.lengths, tensions),
         }
     }
 

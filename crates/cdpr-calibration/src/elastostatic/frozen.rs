@@ -33,7 +33,7 @@ impl<'a> FrozenBalance<'a> {
     }
 
     /// Metres that one unit of each parameter is worth.
-    pub(crate) fn worths(&self) -> Vec<f64> {
+    pub(crate) fn scales(&self) -> Vec<f64> {
         self.problem.scale().to_vec()
     }
 }

@@ -53,7 +53,7 @@ impl FrozenCable<'_> {
     }
 
     /// Metres that one unit of each parameter is worth.
-    pub(crate) fn worths(&self) -> Vec<f64> {
+    pub(crate) fn scales(&self) -> Vec<f64> {
         self.block.parameters.iter().map(|parameter| self.block.scale(parameter.kind)).collect()
     }
 }

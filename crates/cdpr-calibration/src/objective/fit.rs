@@ -16,7 +16,7 @@ use crate::norms::Norms;
 use crate::starts::{self, Ending, Landscape, Part, Starts};
 use crate::stopping::{StoppedBy, StoppingRule};
 use crate::trail::Trail;
-use crate::worth::joint_worths;
+use crate::unit_scale::joint_scales;
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::{FreeParameters, Model, RecordingParameter};
 use cdpr_model::robot::Parameter;
@@ -110,7 +110,7 @@ pub(super) fn find<T>(
     };
     let tensions = samples.tensions.as_deref().unwrap_or_default();
     let mean_tension = tensions.iter().sum::<f64>() / tensions.len().max(1) as f64;
-    let scale = joint_worths(&start_model, parameters, &samples.lengths, tensions);
+    let scale = joint_scales(&start_model, parameters, &samples.lengths, tensions);
     let (mut vectors, unit) = ObjectiveVectors::of(&start_model, samples, parameters, settings)?;
     let absolute = are_stated(model, samples, settings);
     let units = Units { scale, unit, absolute, mean_tension };

@@ -84,17 +84,17 @@ impl Question<'_> {
         groups
     }
 
-    fn part<'s>(&self, squares: Box<dyn HalfSquares + 's>, parameters: &[Parameter], worths: Vec<f64>) -> Part<'s> {
+    fn part<'s>(&self, squares: Box<dyn HalfSquares + 's>, parameters: &[Parameter], scales: Vec<f64>) -> Part<'s> {
         let centre: Vec<f64> = parameters.iter().map(|parameter| self.centre(parameter)).collect();
-        let bounds = parameters.iter().zip(&worths).zip(&centre).map(|((parameter, worth), centre)| {
+        let bounds = parameters.iter().zip(&scales).zip(&centre).map(|((parameter, scale), centre)| {
             let (low, high) = parameter.bounds();
-            ((low - centre) * worth, (high - centre) * worth)
+            ((low - centre) * scale, (high - centre) * scale)
         });
         let bounds = bounds.collect();
         let is_ridge = self.path.penalty == Penalty::Ridge;
         let ridge = parameters.iter().map(|parameter| is_ridge && self.is_penalised(parameter)).collect();
         let start = centre.clone();
-        Part::new(squares, centre, &start, worths, self.groups(parameters), ridge, bounds)
+        Part::new(squares, centre, &start, scales, self.groups(parameters), ridge, bounds)
     }
 
     /// Follows the penalty on samples, over penalties that they tell where none are given.
@@ -105,15 +105,15 @@ impl Question<'_> {
         if explains_tensions(self.model) {
             let optimum = elastostatic::find(self.model, samples, self.parameters, &settings, &|| ())?;
             let squares = FrozenBalance::new(&optimum, samples, self.parameters, &settings);
-            let worths = squares.worths();
-            let mut parts = [self.part(Box::new(squares), self.parameters, worths)];
+            let scales = squares.scales();
+            let mut parts = [self.part(Box::new(squares), self.parameters, scales)];
             self.walk(&mut parts, lambdas, &mut |place| places.push(place));
         } else {
             let lengths = FrozenLengths::find(self.model, samples, self.parameters, &settings)?;
             let mut parts = Vec::new();
             for cable in lengths.cables() {
-                let (own, worths) = (cable.parameters().to_vec(), cable.worths());
-                parts.push(self.part(Box::new(cable), &own, worths));
+                let (own, scales) = (cable.parameters().to_vec(), cable.scales());
+                parts.push(self.part(Box::new(cable), &own, scales));
             }
             self.walk(&mut parts, lambdas, &mut |place| places.push(place));
         }

@@ -22,7 +22,7 @@ const RESTING: f64 = 1e-13;
 pub(super) struct Part<'a> {
     pub(super) squares: Box<dyn HalfSquares + 'a>,
     /// Metres that one unit of each parameter is worth.
-    pub(super) worths: Vec<f64>,
+    pub(super) scales: Vec<f64>,
     /// Values at which the penalty is 0.
     pub(super) centre: Vec<f64>,
     /// Every parameter in one group, by its place.
@@ -49,15 +49,15 @@ impl<'a> Part<'a> {
         squares: Box<dyn HalfSquares + 'a>,
         centre: Vec<f64>,
         start: &[f64],
-        worths: Vec<f64>,
+        scales: Vec<f64>,
         groups: Vec<Group>,
         ridge: Vec<bool>,
         bounds: Vec<(f64, f64)>,
     ) -> Self {
-        let count = worths.len();
-        let changes = DVector::from_fn(count, |k, _| (start[k] - centre[k]) * worths[k]);
+        let count = scales.len();
+        let changes = DVector::from_fn(count, |k, _| (start[k] - centre[k]) * scales[k]);
         let here = Place { changes, quadratic: Quadratic::new(count) };
-        let mut part = Self { squares, worths, centre, groups, ridge, bounds, trial: here.clone(), here };
+        let mut part = Self { squares, scales, centre, groups, ridge, bounds, trial: here.clone(), here };
         part.evaluate();
         std::mem::swap(&mut part.here, &mut part.trial);
         part
@@ -69,7 +69,7 @@ impl<'a> Part<'a> {
     }
 
     fn values_at(&self, changes: &DVector<f64>) -> impl Iterator<Item = f64> {
-        (0..self.centre.len()).map(|k| self.centre[k] + changes[k] / self.worths[k])
+        (0..self.centre.len()).map(|k| self.centre[k] + changes[k] / self.scales[k])
     }
 
     /// Changes from the centre (m).
@@ -188,8 +188,8 @@ impl<'a> Part<'a> {
         let is_finite = self.squares.write(&values, &mut self.trial.quadratic);
         let Quadratic { gradient, hessian, .. } = &mut self.trial.quadratic;
         for i in 0..values.len() {
-            gradient[i] /= self.worths[i];
-            (0..values.len()).for_each(|j| hessian[(i, j)] /= self.worths[i] * self.worths[j]);
+            gradient[i] /= self.scales[i];
+            (0..values.len()).for_each(|j| hessian[(i, j)] /= self.scales[i] * self.scales[j]);
         }
         is_finite
     }

@@ -11,13 +11,13 @@ use cdpr_model::scalar::TriangularFactor;
 use cdpr_model::solve::minimizer;
 
 impl Question<'_> {
-    /// Steps of a fit that kept them, from the start to the optimum, by the rows that poses leave; `worths` are metres of one unit of each parameter.
+    /// Steps of a fit that kept them, from the start to the optimum, by the rows that poses leave; `scales` are metres of one unit of each parameter.
     pub(super) fn course(
         &self,
         vectors: &mut PoseVectors<'_>,
         fit: &Fit,
         parameters: &[Parameter],
-        worths: &[f64],
+        scales: &[f64],
     ) -> Result<Vec<CourseStep>, InputError> {
         let mut places = fit.trail.places().to_vec();
         if places.is_empty() || parameters.is_empty() {
@@ -38,7 +38,7 @@ impl Question<'_> {
             let squares = written.lengths(&self.sensing).norm_squared() / self.internal.samples.lengths.len() as f64;
             let step = |before: &CourseStep| {
                 let changes: Vec<f64> = values.iter().zip(&before.values).map(|(now, before)| now - before).collect();
-                minimizer::size(&changes, worths)
+                minimizer::size(&changes, scales)
             };
             steps.push(CourseStep {
                 step_m: steps.last().map(step),

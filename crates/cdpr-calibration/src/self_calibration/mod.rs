@@ -22,7 +22,7 @@ use super::course::CourseStep;
 use super::fit::{Fit, InputError, Settings};
 use super::objective::{Units, report, search};
 use super::plausibility::{Distrust, beyond_length_accuracy};
-use super::worth::joint_worths;
+use super::unit_scale::joint_scales;
 use cdpr_model::geometry::Pose;
 use cdpr_model::measurement::{InternalSamples, Samples};
 use cdpr_model::model::{FreeParameters, Model};
@@ -86,9 +86,9 @@ pub fn self_calibrate(
     question.agree_on_accuracies(&kept, &start.poses)?;
     let Question { model: start_model, internal: data, .. } = &question;
     let mut vectors = question.start(start_model, &kept, Some(&start.poses))?;
-    let worths = question.scale(&kept, &vectors.poses())?;
+    let scales = question.scale(&kept, &vectors.poses())?;
     let mut search_from = |from: Option<&[f64]>| {
-        search(&mut vectors, start_model, &kept, question.units(worths.clone()), settings, progress, from)
+        search(&mut vectors, start_model, &kept, question.units(scales.clone()), settings, progress, from)
     };
     let mut optimum = search_from(None)?;
     if !optimum.end().converged()
@@ -105,7 +105,7 @@ pub fn self_calibrate(
     let cost_m2 = end.lengths(&question.sensing).norm_squared() * sigma * sigma;
     let mut found = as_found(&calibrated, data, &end.poses)?;
     let mut fit = report(optimum, &stacked, &found, &kept, settings);
-    let course = question.course(&mut vectors, &fit, &kept, &worths)?;
+    let course = question.course(&mut vectors, &fit, &kept, &scales)?;
     // angles from a common start are those of no start length
     found.motor_angles = found.motor_angles.filter(|_| !data.are_changes);
     if unsettled > 0 {
@@ -171,7 +171,7 @@ impl Question<'_> {
     /// Metres of one unit of each parameter.
     fn scale(&self, parameters: &[Parameter], poses: &[Pose]) -> Result<Vec<f64>, InputError> {
         let lengths = as_found(&self.model, &self.internal, poses)?.lengths;
-        Ok(joint_worths(&self.model, parameters, &lengths, self.tensions()))
+        Ok(joint_scales(&self.model, parameters, &lengths, self.tensions()))
     }
 
     fn units(&self, scale: Vec<f64>) -> Units {

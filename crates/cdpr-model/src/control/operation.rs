@@ -44,7 +44,7 @@ pub struct Operation<'a> {
     winding: Winding<'a>,
     offsets: Vec<f64>,
     states: States,
-    way: Option<Way>,
+    way: Option<PathTaken>,
 }
 
 /// States of the control model, which remembers what it commanded, and of the machine.
@@ -76,7 +76,7 @@ pub struct Arrival<'w> {
 
 /// How a machine with history goes on.
 #[derive(Clone, Debug)]
-struct Way {
+struct PathTaken {
     history: History,
     /// Pose from which every path begins, and the states there.
     start_pose: Pose,
@@ -135,7 +135,7 @@ impl<'a> Operation<'a> {
         let state = |model: &Model| State::at(model, start);
         self.states = States { control: state(self.control.model()), machine: state(self.machine.model()) };
         let _ = self.settled(&CommandedPose::at(*start), observe);
-        self.way = Some(Way { history: *history, start_pose: *start, start: self.states.clone(), last: None });
+        self.way = Some(PathTaken { history: *history, start_pose: *start, start: self.states.clone(), last: None });
     }
 
     /// The machine comes to rest where it is led from the commanded pose, or nowhere: no other starts are tried for it.
@@ -249,7 +249,7 @@ impl<'a> Operation<'a> {
     }
 
     /// The sub-steps of a way, and its end; the robot settles wherever it comes to.
-    fn go(&mut self, way: &mut Way, command: &CommandedPose, observe: &mut dyn FnMut(PathPoint<'_>)) -> Outcome {
+    fn go(&mut self, way: &mut PathTaken, command: &CommandedPose, observe: &mut dyn FnMut(PathPoint<'_>)) -> Outcome {
         let last = way.last.filter(|_| way.history.reach == Reach::InOrder);
         if last.is_none() {
             self.states.clone_from(&way.start);

@@ -81,9 +81,9 @@ impl Problem<'_> {
     }
 }
 
-/// How cables stretch on the way from a start.
+/// How a search goes from a start: with the stiffness of the cables at once, or from soft cables.
 #[derive(Clone, Copy)]
-enum Way {
+enum Approach {
     Direct,
     /// Soft at first, then stiffer by and by.
     FromSoft,
@@ -112,21 +112,22 @@ impl Solver<'_> {
             only_taut: self.only_taut,
         };
         let rigid = Rigid { lengths, is_rigid };
-        let mut attempt = |start: &Pose, way: Way, tensions: &mut Tensions| match way {
+        let mut attempt = |start: &Pose, approach: Approach, tensions: &mut Tensions| match approach {
             _ if rigid.any() => Some(multipliers::attempt(&base, &rigid, start, springs, tensions)),
-            Way::Direct => Some(Problem { springs, ..base }.elastic_attempt(start, tensions)),
-            Way::FromSoft => Problem { springs, ..base }.attempt_from_soft(start, tensions),
+            Approach::Direct => Some(Problem { springs, ..base }.elastic_attempt(start, tensions)),
+            Approach::FromSoft => Problem { springs, ..base }.attempt_from_soft(start, tensions),
         };
-        let Some(mut best) = attempt(guess, Way::Direct, tensions) else { return };
+        let Some(mut best) = attempt(guess, Approach::Direct, tensions) else { return };
         solution.take_tensions(tensions);
         (solution.iterations, solution.restarts) = (best.end.iterations, 0);
         if !best.is_good(&base) && !best.pushes {
-            let from_soft = (!rigid.any()).then_some((*guess, Way::FromSoft));
+            let from_soft = (!rigid.any()).then_some((*guess, Approach::FromSoft));
             let escapes = stability::escapes(&base, &best).into_iter().flatten();
-            let starts =
-                from_soft.into_iter().chain(escapes.chain(restart_poses(model, guess)).map(|pose| (pose, Way::Direct)));
-            for (start, way) in starts.take(settings.max_restarts as usize) {
-                let Some(other) = attempt(&start, way, tensions) else { continue };
+            let starts = from_soft
+                .into_iter()
+                .chain(escapes.chain(restart_poses(model, guess)).map(|pose| (pose, Approach::Direct)));
+            for (start, approach) in starts.take(settings.max_restarts as usize) {
+                let Some(other) = attempt(&start, approach, tensions) else { continue };
                 solution.iterations += other.end.iterations;
                 solution.restarts += 1;
                 if other.is_better(&best, &base) {

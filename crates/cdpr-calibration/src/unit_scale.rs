@@ -1,4 +1,4 @@
-//! Worth of parameters in metres of cable.
+//! Scales of parameters: metres of cable for one unit of them.
 
 use std::f64::consts::TAU;
 
@@ -10,7 +10,7 @@ const LEAST: f64 = 1e-3;
 
 /// Sizes of one cable by which its parameters change lengths.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct Worth {
+pub(super) struct UnitScale {
     /// Mean recorded length (m).
     length: f64,
     /// Radius of the drum, no smaller than counts (m).
@@ -21,7 +21,7 @@ pub(super) struct Worth {
     pulley_radius: f64,
 }
 
-impl Worth {
+impl UnitScale {
     pub(super) fn of(cable: &Cable, mean_length: f64) -> Self {
         let drum_radius = cable.winch.radius.unwrap_or(0.0).max(LEAST);
         Self {
@@ -32,7 +32,7 @@ impl Worth {
         }
     }
 
-    /// Metres that one unit of a parameter of the cable's geometry is worth.
+    /// Metres of cable for one unit of a parameter of its geometry.
     pub(super) fn metres(&self, kind: ParameterKind) -> f64 {
         match kind {
             ParameterKind::LengthScale => self.length,
@@ -49,7 +49,7 @@ impl Worth {
 }
 
 /// Metres that one unit of each parameter is worth, where parameters are identified together from lengths (m) and recorded tensions (N, or none).
-pub(super) fn joint_worths(model: &Model, parameters: &[Parameter], lengths: &[f64], tensions: &[f64]) -> Vec<f64> {
+pub(super) fn joint_scales(model: &Model, parameters: &[Parameter], lengths: &[f64], tensions: &[f64]) -> Vec<f64> {
     let mean = |values: &[f64]| values.iter().sum::<f64>() / values.len().max(1) as f64;
     let (length, tension) = (mean(lengths), mean(tensions).max(1e-9));
     let compliance = parameters.iter().filter(|p| p.kind == ParameterKind::Compliance).map(|p| p.value(model.robot()));
@@ -64,7 +64,7 @@ pub(super) fn joint_worths(model: &Model, parameters: &[Parameter], lengths: &[f
         }
         ParameterKind::TensionScale => compliance * tension * length,
         ParameterKind::TensionOffset | ParameterKind::Wrench => compliance * length,
-        kind => Worth::of(&model.robot().cables[parameter.cable], length).metres(kind),
+        kind => UnitScale::of(&model.robot().cables[parameter.cable], length).metres(kind),
     };
     parameters.iter().map(metres).collect()
 }
