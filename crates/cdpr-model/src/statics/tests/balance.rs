@@ -121,7 +121,7 @@ fn a_rigid_cable_has_no_stiffness_but_a_controlled_length() {
     let rigid = Model::new(elastic.robot().clone(), Composition::PULLEY).unwrap();
     assert_eq!(controlled_lengths(&rigid, &pose, &f), Ok(rigid.cable_lengths(&pose).unwrap()));
     let refused = Stiffness::at(&rigid, &pose, &f, &load).unwrap_err().to_string();
-    assert!(refused.contains("`--model pulley+elastic`"), "{refused}");
+    assert!(refused.contains("the model `pulley+elastic`"), "{refused}");
     let mut robot = elastic.robot().clone();
     robot.cables[1] = Cable { stiffness: Some(CableStiffness::Compliance(0.0)), ..Cable::default() };
     robot.cables[1].name = "stiff one".to_owned();
