@@ -72,8 +72,9 @@ fn figure() -> Result<String, Box<dyn Error>> {
             "<text class=\"halo\" x=\"{x:.1}\" y=\"{y:.1}\" text-anchor=\"middle\" font-size=\"11\">{name}</text>"
         )?;
     }
-    for (index, mark) in marks.iter().enumerate() {
-        draw_mark(&mut svg, &window, index + 1, mark)?;
+    let points: Vec<[f64; 2]> = marks.iter().map(|mark| window.pixel(mark.at)).collect();
+    for (index, (mark, disc)) in marks.iter().zip(discs(&points)).enumerate() {
+        draw_mark(&mut svg, points[index], disc, index + 1, mark)?;
     }
     svg.push_str("</svg>\n");
     Ok(svg)
@@ -237,8 +238,31 @@ fn draw_axes(svg: &mut String, window: &Window) -> std::fmt::Result {
     writeln!(svg, "<text transform=\"translate(20 265) rotate(-90)\" text-anchor=\"middle\">{y_name}</text>")
 }
 
-/// A numbered disc, hollow where limits are broken, and its line in the legend.
-fn draw_mark(svg: &mut String, window: &Window, number: usize, mark: &Mark) -> std::fmt::Result {
+/// Places of the numbered discs (pixels): at their points, or beside points that lie so close to each other that discs would hide one.
+fn discs(points: &[[f64; 2]]) -> Vec<[f64; 2]> {
+    let apart = |[x, y]: [f64; 2], [u, v]: [f64; 2]| (x - u).hypot(y - v);
+    let mut places: Vec<[f64; 2]> = Vec::new();
+    for (index, &point) in points.iter().enumerate() {
+        let is_free = |place: [f64; 2]| {
+            let others = points.iter().enumerate().filter(|(other, _)| *other != index).map(|(_, other)| *other);
+            others.chain(places.iter().copied()).all(|other| apart(place, other) > 19.0)
+        };
+        let around = (0..8).map(|turn| f64::from(3 + turn) * std::f64::consts::FRAC_PI_4);
+        let beside = around.map(|angle| [point[0] + 30.0 * angle.cos(), point[1] - 30.0 * angle.sin()]);
+        places.push([point].into_iter().chain(beside).find(|&place| is_free(place)).unwrap_or(point));
+    }
+    places
+}
+
+/// A numbered disc, hollow where limits are broken, joined with its point where it stands beside it, and its line in the legend.
+fn draw_mark(svg: &mut String, point: [f64; 2], place: [f64; 2], number: usize, mark: &Mark) -> std::fmt::Result {
+    if place != point {
+        let ([x, y], [to_x, to_y]) = (point, place);
+        writeln!(
+            svg,
+            "<path d=\"M{x:.1} {y:.1}L{to_x:.1} {to_y:.1}\" stroke=\"#1b1f24\"/><circle cx=\"{x:.1}\" cy=\"{y:.1}\" r=\"2.5\" fill=\"#1b1f24\"/>"
+        )?;
+    }
     let (fill, ink) = if mark.is_allowed { ("#1b1f24", "#ffffff") } else { ("#ffffff", "#1b1f24") };
     let mut disc = |[x, y]: [f64; 2]| {
         writeln!(
@@ -249,7 +273,7 @@ fn draw_mark(svg: &mut String, window: &Window, number: usize, mark: &Mark) -> s
         )
     };
     let line = 60.0 + 42.0 * (number - 1) as f64;
-    disc(window.pixel(mark.at))?;
+    disc(place)?;
     disc([520.0, line])?;
     writeln!(svg, "<text x=\"538\" y=\"{:.1}\">{}</text>", line + 4.5, mark.methods.join(", "))?;
     let note = if mark.is_allowed { "" } else { " (breaks limits)" };
