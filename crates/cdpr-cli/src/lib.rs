@@ -79,7 +79,7 @@ Examples:
 /// let words = ["cdpr", "ik", "planar-example", "--pose", "0.5,4", "--format", "json"];
 /// let exit = cdpr_cli::run(words.map(Into::into), &mut out, &mut err);
 /// assert_eq!(exit, ExitCode::SUCCESS);
-/// assert!(String::from_utf8(out).unwrap().contains("\"lengths_m\""));
+/// assert!(String::from_utf8(out).unwrap().contains("\"cable_lengths_m\""));
 /// ```
 pub fn run(arguments: impl IntoIterator<Item = OsString>, out: &mut dyn Stream, err: &mut dyn Stream) -> ExitCode {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
