@@ -43,6 +43,11 @@ impl Gathering<'_> {
         for entry in tables.iter_mut() {
             let span = entry.span();
             let DeValue::Table(table) = entry.get_mut() else { continue };
+            // a look at every key once costs less than looking each of ours up
+            let is_ours = |key: &str| key == GATHERED || self.keys.contains(&key);
+            if !table.keys().any(|key| is_ours(key.get_ref())) {
+                continue;
+            }
             if let Some((key, value)) = table.remove_entry(GATHERED) {
                 table.insert(Spanned::new(key.span(), format!("\"{GATHERED}\"").into()), value);
             }
