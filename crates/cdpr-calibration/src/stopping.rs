@@ -4,7 +4,7 @@ use std::fmt;
 
 use serde::Serialize;
 
-use cdpr_model::solve::{End, HIDDEN_GAIN, Rules, Stop};
+use cdpr_model::solve::{DescentEnd, HIDDEN_GAIN, Rules, Stop};
 
 /// Rule that ended a search for parameters; from [`StoppingRule::IterationLimit`] on, no optimum was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
@@ -42,7 +42,7 @@ pub struct StoppedBy {
 
 impl StoppedBy {
     /// The end of a search of the one loop.
-    pub(super) fn of(end: &End<f64>, rules: &Rules<f64>) -> Self {
+    pub(super) fn of(end: &DescentEnd<f64>, rules: &Rules<f64>) -> Self {
         let (rule, value, limit) = match end.stop() {
             Stop::IterationLimit => (StoppingRule::IterationLimit, end.iterations, f64::from(rules.max_iterations)),
             Stop::Stationary if end.left <= rules.tolerance => (StoppingRule::Step, end.left, rules.tolerance),

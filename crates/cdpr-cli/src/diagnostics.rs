@@ -1,6 +1,6 @@
 //! How failures and remarks look on stderr: the message, the place, the line of the file with carets, the cure.
 
-use cdpr_model::reading::{Place, ReadError};
+use cdpr_model::reading::{ReadError, TextPlace};
 
 use unicode_width::{UnicodeWidthChar, UnicodeWidthStr};
 
@@ -71,7 +71,7 @@ fn place_text(read_error: &ReadError, colours: &Colours) -> String {
 
 /// The part of the source line around the mistake that fits into a line of the terminal, and the carets below it, without
 /// characters that would control the terminal.
-fn snippet(place: &Place) -> (String, String) {
+fn snippet(place: &TextPlace) -> (String, String) {
     let plain = |character: char| if character.is_control() && character != '\t' { '\u{fffd}' } else { character };
     let line: Vec<char> = place.source_line().chars().map(plain).collect();
     let caret = place.caret().min(line.len());
@@ -96,7 +96,7 @@ mod tests {
 
     #[test]
     fn a_mistake_in_a_file_is_shown_with_its_line_and_the_cure() {
-        let place = Place::of_span("a = 1\nnam = \"x\"\n", 6..9);
+        let place = TextPlace::of_span("a = 1\nnam = \"x\"\n", 6..9);
         let error = ReadError::new("robot.toml", "toml::unknown-key", "unknown key `nam`")
             .at(place)
             .with_help("did you mean `name`?");
@@ -116,21 +116,21 @@ error[toml::unknown-key]: unknown key `nam`
     #[test]
     fn a_long_line_is_shown_around_the_mistake_and_carets_end() {
         let line = (1..=30).map(|cable| format!("cable_length_furlong_{cable:02}")).collect::<Vec<_>>().join(",");
-        let middle = snippet(&Place::on_line(&line[..150], 1, 121, 23));
+        let middle = snippet(&TextPlace::on_line(&line[..150], 1, 121, 23));
         assert!(middle.0.starts_with('…') && middle.0.chars().count() <= SHOWN + 2, "{middle:?}");
         let caret = middle.1.find('^').unwrap();
         let marked: String = middle.0.chars().skip(caret).take(middle.1.len() - caret).collect();
         assert_eq!(marked, "cable_length_furlong_06");
-        let whole = snippet(&Place::on_line(&line, 1, 1, line.len()));
+        let whole = snippet(&TextPlace::on_line(&line, 1, 1, line.len()));
         assert_eq!(whole.1, "^".repeat(UNDERLINED));
         assert!(whole.0.ends_with('…') && whole.0.chars().count() == SHOWN + 1, "{whole:?}");
-        let wide = snippet(&Place::on_line("机器人 = 3", 1, 7, 1));
+        let wide = snippet(&TextPlace::on_line("机器人 = 3", 1, 7, 1));
         assert_eq!(wide.1, "         ^", "each of the three characters takes two columns");
     }
 
     #[test]
     fn a_file_cannot_control_the_terminal() {
-        let error = ReadError::new("a.csv", "x", "y").at(Place::on_line("\x1b[2J1,2", 3, 5, 1));
+        let error = ReadError::new("a.csv", "x", "y").at(TextPlace::on_line("\x1b[2J1,2", 3, 5, 1));
         assert!(!failure_text(&error.into(), &Colours::NONE).contains('\x1b'));
     }
 }

@@ -30,7 +30,7 @@ pub struct CableMotion {
     /// Memory of a cable with hysteresis.
     pub(super) memory: Option<Memory>,
     /// Shape of a cable with weight.
-    pub(super) span: Option<span::State<f64>>,
+    pub(super) span: Option<span::SpanState<f64>>,
 }
 
 impl CableMotion {

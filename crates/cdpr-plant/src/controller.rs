@@ -8,7 +8,7 @@ use cdpr_model::geometry::{Pose, Twist};
 /// Controller of a machine in time, with a state of its own. A [`Simulation`](super::Simulation) asks it for commands.
 ///
 /// ```
-/// use cdpr::plant::{Command, ControlError, Controller, End, Measured, Scenario, Setpoint, Simulation};
+/// use cdpr::plant::{Command, ControlError, Controller, RunEnd, Measured, Scenario, Setpoint, Simulation};
 /// use cdpr::robot::Robot;
 /// # use std::{convert::Infallible, ops::ControlFlow};
 ///
@@ -38,7 +38,7 @@ use cdpr_model::geometry::{Pose, Twist};
 /// let scenario = Scenario::from_toml_bytes(scenario.as_bytes(), "scenario.toml")?;
 /// let speed_at_end = |mut simulation: Simulation| {
 ///     let summary = simulation.run(|_, _| Ok::<_, Infallible>(ControlFlow::Continue(())));
-///     assert_eq!(summary.unwrap().end, End::Completed);
+///     assert_eq!(summary.unwrap().end, RunEnd::Completed);
 ///     simulation.state.twist().norm()
 /// };
 /// let held = speed_at_end(Simulation::new(&scenario, robot.clone())?);

@@ -7,7 +7,7 @@ use super::violations::{Judge, Violation};
 
 /// How a run ended.
 #[derive(Clone, Debug, PartialEq)]
-pub enum End {
+pub enum RunEnd {
     /// At the end of its time.
     Completed,
     /// Whoever watched it said so.
@@ -21,7 +21,7 @@ pub enum End {
 #[derive(Clone, Debug)]
 pub struct Summary {
     /// How it ended.
-    pub end: End,
+    pub end: RunEnd,
     /// Steps taken.
     pub steps: u64,
     /// Least tension of a cable that is not broken, after any step (N).
@@ -62,7 +62,7 @@ impl Course {
     }
 
     /// The summary of a run that ended.
-    pub(super) fn ended(self, end: End) -> Summary {
+    pub(super) fn ended(self, end: RunEnd) -> Summary {
         let Self { steps, events, tension_min, tension_max, judge, .. } = self;
         Summary { end, steps, tension_min, tension_max, events, violations: judge.found() }
     }

@@ -50,7 +50,7 @@ pub use command::Command;
 pub use control_loop::Between;
 pub use controller::{Controller, Measured, Setpoint};
 pub use controllers::Control;
-pub use course::{End, Summary};
+pub use course::{RunEnd, Summary};
 pub use energy::Energy;
 pub use error::{ControlError, PlantError, ScenarioKey, StepError};
 pub use events::{Event, Happening};

@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use super::control_loop::{Between, ControlLoop, Moment};
 use super::controller::{Controller, Setpoint};
 use super::controllers::ControlSetting;
-use super::course::{Course, End, Summary};
+use super::course::{Course, RunEnd, Summary};
 use super::error::{PlantError, ScenarioKey, StepError};
 use super::events::Event;
 use super::friction::Friction;
@@ -108,7 +108,7 @@ impl Simulation {
         course.look(&self.state);
         self.measure();
         if watch(&self.plant, &self.state)?.is_break() {
-            return Ok(course.ended(End::Stopped));
+            return Ok(course.ended(RunEnd::Stopped));
         }
         self.happen_until(0.0, &mut course);
         for index in 0..count {
@@ -118,14 +118,14 @@ impl Simulation {
                 continue;
             }
             if let Err(error) = self.advance(target, &mut course) {
-                return Ok(course.ended(End::Failed(error)));
+                return Ok(course.ended(RunEnd::Failed(error)));
             }
             if is_recorded && watch(&self.plant, &self.state)?.is_break() {
-                return Ok(course.ended(End::Stopped));
+                return Ok(course.ended(RunEnd::Stopped));
             }
             self.happen_until(target, &mut course);
         }
-        Ok(course.ended(End::Completed))
+        Ok(course.ended(RunEnd::Completed))
     }
 
     /// To a time of the grid, with a stop at every event and every question to the controller before it.

@@ -28,7 +28,7 @@ pub mod span {
     //! The cable between frame and platform.
 
     #[doc(inline)]
-    pub use cdpr_model::cable::span::{Shape, State};
+    pub use cdpr_model::cable::span::{Shape, SpanState};
 }
 
 pub mod stretch {

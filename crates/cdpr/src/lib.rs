@@ -208,8 +208,8 @@ pub mod plant {
 
     #[doc(inline)]
     pub use cdpr_plant::{
-        Between, Command, ControlError, Controller, End, Energy, Event, Happening, Inertia, Linearization, Measured,
-        Mode, Plant, PlantError, PlantState, Scenario, Sensors, Setpoint, Simulation, StepError, Summary, Violation,
+        Between, Command, ControlError, Controller, Energy, Event, Happening, Inertia, Linearization, Measured, Mode,
+        Plant, PlantError, PlantState, RunEnd, Scenario, Sensors, Setpoint, Simulation, StepError, Summary, Violation,
         Winches,
     };
 

@@ -10,7 +10,7 @@ use std::path::Path;
 
 use cdpr::cable::law::{CableLaw, Kind};
 use cdpr::cable::outlet::Outlet;
-use cdpr::cable::span::{Shape, State as Span};
+use cdpr::cable::span::{Shape, SpanState};
 use cdpr::cable::stretch::Stretch;
 use cdpr::cable::{CableInput, CableStateError, Recording};
 use cdpr::equilibrium::distribution;
@@ -56,7 +56,7 @@ fn rope(shape: Shape) -> CableLaw {
 /// Sag in the middle and length beyond the chord (m) of a rope to `end` with this tension at its outlet (N).
 fn sag(end: [f64; 3], tension: f64) -> Result<(f64, f64), CableStateError> {
     let cable = rope(Shape::Catenary).state(end, CableInput::OutletTension(tension))?;
-    let half = Span { force: cable.span.force, length: 0.5 * cable.span.length };
+    let half = SpanState { force: cable.span.force, length: 0.5 * cable.span.length };
     let middle = Shape::Catenary.vector(&half, [0.0, 0.0, -DENSITY * GRAVITY], &Stretch::Rigid);
     let chord = end.iter().map(|x| x * x).sum::<f64>().sqrt();
     Ok((0.5 * end[2] - middle[2], cable.controlled_length - chord))

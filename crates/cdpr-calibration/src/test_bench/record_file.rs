@@ -5,7 +5,7 @@ use std::collections::BTreeMap;
 use csv::{ByteRecord, ReaderBuilder};
 
 use super::Record;
-use cdpr_model::reading::{Place, ReadError, Size, help_for_unknown, text_from_bytes};
+use cdpr_model::reading::{ReadError, Size, TextPlace, help_for_unknown, text_from_bytes};
 
 /// A record with what its reader noticed.
 #[derive(Clone, Debug, PartialEq)]
@@ -161,6 +161,6 @@ impl RecordFile<'_> {
         let width_of = |field: &[u8]| String::from_utf8_lossy(field).chars().count();
         let before: usize = row.fields.iter().take(index).map(|field| width_of(field) + 1).sum();
         let width = row.fields.get(index).map_or(1, width_of).max(1);
-        self.error(code, message).at(Place::on_line(source, row.line, before + 1, width))
+        self.error(code, message).at(TextPlace::on_line(source, row.line, before + 1, width))
     }
 }

@@ -76,7 +76,7 @@ pub struct CableState {
     /// True where the tension that determines the cable is that at the platform anchor.
     pub is_given_at_platform: bool,
     /// F and L; of a straight cable F = f times the direction away from the outlet and L its unstrained free length.
-    pub span: span::State<f64>,
+    pub span: span::SpanState<f64>,
     /// q_θ (m).
     pub controlled_length: f64,
     /// Pull t on the platform (world, N).

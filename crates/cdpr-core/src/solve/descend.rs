@@ -2,7 +2,7 @@
 
 use super::convergence::{left, settles};
 use super::damping::{is_exhausted, is_felt, lowered, raised, regularised};
-use super::{Control, End, HIDDEN_GAIN, Mask, Problem, Rules, Step, StepRule, Stop, Trial};
+use super::{Control, DescentEnd, HIDDEN_GAIN, Mask, Problem, Rules, Step, StepRule, Stop, Trial};
 use crate::scalar::{Real, Select};
 
 /// Share of a step below which its direction is no use.
@@ -16,7 +16,7 @@ const UNSURE: f64 = 100.0;
 /// The start is a trial like all others, so that an evaluation is compiled once; everything here is inlined into its caller, where
 /// the rule is a constant.
 #[inline(always)]
-pub fn descend<P: Problem>(problem: &mut P, rules: &Rules<P::Number>) -> End<P::Number> {
+pub fn descend<P: Problem>(problem: &mut P, rules: &Rules<P::Number>) -> DescentEnd<P::Number> {
     let n = rules.tolerance;
     let mut search = Search::<P>::new(rules);
     let mut steps = 0;
@@ -44,7 +44,7 @@ pub fn descend<P: Problem>(problem: &mut P, rules: &Rules<P::Number>) -> End<P::
         search.iterations = search.iterations + n.constant(1.0).select(search.running, n.constant(0.0));
     }
     let (left, gain) = (search.left(), search.step.gain);
-    End { stop: search.stop, iterations: search.iterations, damping: search.control.damping, left, gain }
+    DescentEnd { stop: search.stop, iterations: search.iterations, damping: search.control.damping, left, gain }
 }
 
 /// State of the loop, lane by lane.

@@ -142,7 +142,7 @@ pub struct Rules<N> {
 
 /// End of a search.
 #[derive(Clone, Copy, Debug)]
-pub struct End<N> {
+pub struct DescentEnd<N> {
     /// A [`Stop`] as a number.
     stop: N,
     /// Steps, those included that did not help; tried again, but shorter, they count once.
@@ -155,7 +155,7 @@ pub struct End<N> {
     pub gain: N,
 }
 
-impl<N: Select> End<N> {
+impl<N: Select> DescentEnd<N> {
     /// Lanes that ended with this reason.
     #[inline(always)]
     pub fn is(&self, stop: Stop) -> N::Mask {
@@ -165,7 +165,7 @@ impl<N: Select> End<N> {
     }
 }
 
-impl End<f64> {
+impl DescentEnd<f64> {
     /// Reason of the end.
     #[inline]
     pub fn stop(&self) -> Stop {

@@ -8,7 +8,7 @@ mod normal;
 mod single_pose;
 
 use normal::{Normal, moved};
-pub(super) use single_pose::{Found, OnePose};
+pub(super) use single_pose::{ClosedFormTensions, OnePose};
 
 use super::feasibility::balance::Balance;
 use super::feasibility::factors::{Rows, product};

@@ -201,15 +201,15 @@ fn linearized(
 ) -> Result<(DMatrix<f64>, Vec<f64>), StaticsError> {
     let basis = model.twist_basis();
     let mut matrix = DMatrix::zeros(basis.len(), tensions.len());
-    let mut rest = wrench.to_vec();
+    let mut remaining = wrench.to_vec();
     for (cable, &tension) in tensions.iter().enumerate() {
         let state = cable_state(model, pose, cable, tension)?;
         let (whole, by_tension) = (state.wrench(), state.wrench_by_tension());
         for (row, twist) in basis.iter().enumerate() {
             let slope = twist.dot(&by_tension);
             matrix[(row, cable)] = slope;
-            rest[row] += twist.dot(&whole) - slope * tension;
+            remaining[row] += twist.dot(&whole) - slope * tension;
         }
     }
-    Ok((matrix, rest))
+    Ok((matrix, remaining))
 }

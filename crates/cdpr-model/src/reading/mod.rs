@@ -75,7 +75,7 @@ pub struct ReadError {
     /// The file as the caller named it.
     pub file_name: String,
     /// Place in the file; `None` when the file as a whole is meant.
-    pub place: Option<Place>,
+    pub place: Option<TextPlace>,
     /// Mistake with its reason, in words.
     pub message: String,
     /// How to mend it.
@@ -92,7 +92,7 @@ impl ReadError {
 
     /// The same error at a place.
     #[must_use]
-    pub fn at(mut self, place: Place) -> Self {
+    pub fn at(mut self, place: TextPlace) -> Self {
         self.place = Some(place);
         self
     }
@@ -106,12 +106,12 @@ impl ReadError {
 
     /// Line of the mistake, from 1.
     pub fn line(&self) -> Option<usize> {
-        self.place.as_ref().map(Place::line)
+        self.place.as_ref().map(TextPlace::line)
     }
 
     /// Column of the mistake in characters, from 1.
     pub fn column(&self) -> Option<usize> {
-        self.place.as_ref().map(Place::column)
+        self.place.as_ref().map(TextPlace::column)
     }
 }
 
@@ -130,7 +130,7 @@ impl fmt::Display for ReadError {
 
 /// A stretch of one line of a text file, with the line itself to show it by.
 #[derive(Clone, Debug, PartialEq, Eq)]
-pub struct Place {
+pub struct TextPlace {
     line: u32,
     column: u32,
     width: u32,
@@ -138,7 +138,7 @@ pub struct Place {
     source_line: Box<str>,
 }
 
-impl Place {
+impl TextPlace {
     /// The place of a byte range of a text; a range beyond the end is the end, one over several lines ends with its first.
     pub fn of_span(text: &str, span: Range<usize>) -> Self {
         let start = character_boundary(text, span.start);
@@ -210,7 +210,7 @@ pub fn text_from_bytes<'a>(bytes: &'a [u8], size: Size, file_name: &str) -> Resu
         let valid = std::str::from_utf8(&bytes[..error.valid_up_to()]).unwrap_or_default();
         let message = format!("byte {} is not UTF-8 text", error.valid_up_to() + 1);
         ReadError::new(file_name, "file::not-utf8", message)
-            .at(Place::of_span(valid, valid.len()..valid.len()))
+            .at(TextPlace::of_span(valid, valid.len()..valid.len()))
             .with_help(match bytes {
                 [0xff, 0xfe, ..] | [0xfe, 0xff, ..] => {
                     "this is UTF-16, what spreadsheets call Unicode text: save the file as UTF-8"
@@ -260,7 +260,7 @@ mod tests {
     fn places_count_lines_and_characters_from_one() {
         let text = "ä = 1\r\nöö = wrong\r\n";
         let start = text.find("wrong").unwrap();
-        let place = Place::of_span(text, start..start + 5);
+        let place = TextPlace::of_span(text, start..start + 5);
         assert_eq!((place.line(), place.column(), place.width()), (2, 6, 5));
         assert_eq!(place.source_line(), "öö = wrong");
         assert_eq!(place.snippet(), "öö = wrong\n     ^^^^^");
@@ -268,16 +268,16 @@ mod tests {
 
     #[test]
     fn the_end_of_a_file_and_the_middle_of_a_character_are_places_too() {
-        assert_eq!(Place::of_span("", 5..9).snippet(), "\n^");
-        let end = Place::of_span("a\n", 2..2);
+        assert_eq!(TextPlace::of_span("", 5..9).snippet(), "\n^");
+        let end = TextPlace::of_span("a\n", 2..2);
         assert_eq!((end.line(), end.column()), (2, 1));
-        assert_eq!(Place::of_span("ä", 1..2).column(), 1);
+        assert_eq!(TextPlace::of_span("ä", 1..2).column(), 1);
     }
 
     #[test]
     fn a_line_of_megabytes_is_shown_by_the_part_around_the_mistake() {
         let text = format!("{}x{}", "-".repeat(1_000_000), "-".repeat(1_000_000));
-        let place = Place::of_span(&text, 1_000_000..1_000_001);
+        let place = TextPlace::of_span(&text, 1_000_000..1_000_001);
         assert_eq!(place.column(), 1_000_001);
         let (line, caret) = (place.source_line().to_owned(), place.snippet().find('^').unwrap() - SHOWN_WIDTH - 1);
         assert_eq!(line.chars().nth(caret), Some('x'));
@@ -286,7 +286,7 @@ mod tests {
     #[test]
     fn display_names_file_line_column_reason_and_cure() {
         let error = ReadError::new("a.toml", "robot::unknown-key", "unknown key `nam`")
-            .at(Place::on_line("nam = 1", 1, 1, 3))
+            .at(TextPlace::on_line("nam = 1", 1, 1, 3))
             .with_help("did you mean `name`?");
         assert_eq!(error.to_string(), "a.toml:1:1: unknown key `nam`\n  help: did you mean `name`?");
     }

@@ -4,7 +4,7 @@ use std::borrow::Cow;
 
 use encoding_rs::{Encoding, UTF_16BE, UTF_16LE, WINDOWS_1252};
 
-use super::{Place, ReadError, Size, text_from_bytes};
+use super::{ReadError, Size, TextPlace, text_from_bytes};
 
 /// Bytes at the start that show UTF-16 without a mark.
 const LOOKED_AT: usize = 512;
@@ -40,7 +40,7 @@ fn from_utf_16<'a>(bytes: &'a [u8], encoding: &'static Encoding, file_name: &str
         return Ok(TableText { text: Cow::Owned(text.into_owned()), encoding: Some("UTF-16") });
     }
     let wrong = text.find('\u{fffd}').unwrap_or_default();
-    let place = Place::of_span(&text, wrong..wrong);
+    let place = TextPlace::of_span(&text, wrong..wrong);
     Err(ReadError::new(file_name, "file::not-utf8", "this is UTF-16 with a character that does not exist")
         .at(place)
         .with_help("save the file as UTF-8"))

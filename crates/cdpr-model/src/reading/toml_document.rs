@@ -6,7 +6,7 @@ use serde::de::DeserializeOwned;
 use toml::Spanned;
 use toml::de::{DeTable, DeValue};
 
-use super::{MAGNITUDE_LIMIT, Place, ReadError, Size, help_for_unknown};
+use super::{MAGNITUDE_LIMIT, ReadError, Size, TextPlace, help_for_unknown};
 
 /// One step on the way to a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -73,11 +73,11 @@ impl<'a> TomlDocument<'a> {
         let root = DeTable::parse(text).map_err(|error| {
             let span = error.span().unwrap_or(text.len()..text.len());
             ReadError::new(file_name, "toml::syntax", format!("this is not TOML: {}", error.message()))
-                .at(Place::of_span(text, span))
+                .at(TextPlace::of_span(text, span))
         })?;
         if root.get_ref().is_empty() {
             return Err(ReadError::new(file_name, "toml::empty", "the file says nothing")
-                .at(Place::of_span(text, 0..0))
+                .at(TextPlace::of_span(text, 0..0))
                 .with_help("is the path right, and was the file written completely?"));
         }
         let document = Self { text, file_name, root };
@@ -114,8 +114,8 @@ impl<'a> TomlDocument<'a> {
     }
 
     /// True where one of the values of a table, or of those inside them, stands at this place.
-    pub(crate) fn stands_in(&self, table: &str, place: &Place) -> bool {
-        let is_here = |value: &Spanned<DeValue<'a>>| Place::of_span(self.text, value.span()) == *place;
+    pub(crate) fn stands_in(&self, table: &str, place: &TextPlace) -> bool {
+        let is_here = |value: &Spanned<DeValue<'a>>| TextPlace::of_span(self.text, value.span()) == *place;
         self.root.get_ref().get(table).is_some_and(|table| any_inside(table, &is_here))
     }
 
@@ -137,7 +137,7 @@ impl<'a> TomlDocument<'a> {
 
     /// An error at the value of a path, or at the innermost part of the path that exists.
     pub fn error_at(&self, path: &[Step<'_>], code: &'static str, message: impl Into<String>) -> ReadError {
-        ReadError::new(self.file_name, code, message).at(Place::of_span(self.text, self.span(path)))
+        ReadError::new(self.file_name, code, message).at(TextPlace::of_span(self.text, self.span(path)))
     }
 
     /// Bytes of the innermost existing part of a path: the value of a key, the header of a table.
@@ -155,7 +155,7 @@ impl<'a> TomlDocument<'a> {
     /// Refuses NaN, infinities and numbers that overflow when squared.
     fn check_numbers(&self, value: &Spanned<DeValue<'a>>) -> Result<(), ReadError> {
         let at_value = |code, message: String| {
-            ReadError::new(self.file_name, code, message).at(Place::of_span(self.text, value.span()))
+            ReadError::new(self.file_name, code, message).at(TextPlace::of_span(self.text, value.span()))
         };
         match value.get_ref() {
             DeValue::Float(float) => {
@@ -182,7 +182,7 @@ impl<'a> TomlDocument<'a> {
         let span = error.span().unwrap_or(0..0);
         let (message, quoted) = (error.message(), gathering.spelled(quoted_words(error.message())));
         let at_span = |code, message: String| {
-            ReadError::new(self.file_name, code, message).at(Place::of_span(self.text, span.clone()))
+            ReadError::new(self.file_name, code, message).at(TextPlace::of_span(self.text, span.clone()))
         };
         match quoted.split_first() {
             Some((wrong, known)) if message.starts_with("unknown field") => {

@@ -8,7 +8,7 @@ use std::ops::Range;
 use roxmltree::{Document, Node, ParsingOptions};
 use thiserror::Error;
 
-use super::{MAGNITUDE_LIMIT, Place, ReadError, Size, text_from_bytes};
+use super::{MAGNITUDE_LIMIT, ReadError, Size, TextPlace, text_from_bytes};
 
 /// The largest XML file that is read (bytes); those of robots have some ten thousand.
 const XML_SIZE_LIMIT: usize = 4 * 1024 * 1024;
@@ -48,7 +48,7 @@ impl<'a> XmlDocument<'a> {
             let (line, column) = (error.pos().row as usize, error.pos().col as usize);
             let source_line = text.lines().nth(line.saturating_sub(1)).unwrap_or_default();
             ReadError::new(file_name, "xml::syntax", format!("this is not XML: {error}"))
-                .at(Place::on_line(source_line, line, column, 1))
+                .at(TextPlace::on_line(source_line, line, column, 1))
                 .with_help("is this the right file, and was it written completely?")
         })?;
         Ok(Self { text, file_name, tree })
@@ -65,14 +65,15 @@ impl<'a> XmlDocument<'a> {
     }
 
     fn error_at(&self, span: Range<usize>, code: &'static str, message: impl Into<String>) -> ReadError {
-        ReadError::new(self.file_name, code, message).at(Place::of_span(self.text, span))
+        ReadError::new(self.file_name, code, message).at(TextPlace::of_span(self.text, span))
     }
 }
 
 /// Refuses what would make parsing slow or large, before parsing.
 fn check_bounds(text: &str, file_name: &str) -> Result<(), ReadError> {
-    let error =
-        |at: usize, code, message: String| ReadError::new(file_name, code, message).at(Place::of_span(text, at..at));
+    let error = |at: usize, code, message: String| {
+        ReadError::new(file_name, code, message).at(TextPlace::of_span(text, at..at))
+    };
     if text.trim().is_empty() {
         return Err(error(0, "xml::empty", "the file says nothing".to_owned()));
     }
@@ -111,7 +112,7 @@ impl<'t, 'a> Element<'t, 'a> {
 
     /// Line of its tag, from 1.
     pub(crate) fn line(&self) -> usize {
-        Place::of_span(self.document.text, self.tag()).line()
+        TextPlace::of_span(self.document.text, self.tag()).line()
     }
 
     /// Its tag up to the name.

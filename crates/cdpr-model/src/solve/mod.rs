@@ -5,7 +5,7 @@ mod settings;
 
 pub use cdpr_core::solve::bounded::Room;
 pub use cdpr_core::solve::{
-    Control, End, HIDDEN_GAIN, OF_SINGULAR, Problem, REGULAR, ROUNDING_GAIN, Rules, Step, StepRule, Stop, Trial,
+    Control, DescentEnd, HIDDEN_GAIN, OF_SINGULAR, Problem, REGULAR, ROUNDING_GAIN, Rules, Step, StepRule, Stop, Trial,
     descend,
 };
 pub use minimizer::Minimizer;

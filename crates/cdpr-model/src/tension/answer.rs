@@ -1,6 +1,6 @@
 //! Answer of a method to one problem.
 
-use super::distribute::{Cause, Found, Status};
+use super::distribute::{Cause, FoundTensions, Status};
 use super::method::Fallback;
 use super::quadratic::{Certificate, UNDECIDED};
 use super::{Limits, Method};
@@ -44,9 +44,9 @@ impl Answer {
     }
 
     /// Parts that a method writes.
-    pub(super) fn found(&mut self) -> Found<'_> {
+    pub(super) fn found(&mut self) -> FoundTensions<'_> {
         let Self { status, tensions, iterations, limits, cause, .. } = self;
-        Found { limits, tensions, status, cause, iterations }
+        FoundTensions { limits, tensions, status, cause, iterations }
     }
 
     /// True of tensions to look at: those to be used, and those that the method gives where there are none.
@@ -67,7 +67,7 @@ impl Answer {
 
     /// The wrench that the cables would have to give besides (N, N·m): −(Aᵀ f + w), zero to rounding when feasible.
     pub fn missing_wrench(&self) -> Vec<f64> {
-        self.wrench_residual.iter().map(|rest| -rest).collect()
+        self.wrench_residual.iter().map(|residual| -residual).collect()
     }
 
     /// Why the tensions are not to be used: which limits of which cables exclude the load and by how much, or how far the

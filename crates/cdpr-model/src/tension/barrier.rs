@@ -13,7 +13,7 @@
 //! changes by rounding only.
 
 use super::affine::{Affine, add_scaled, dot};
-use super::distribute::{Chosen, Distribute, Found, NoDerivative, Status, Task, Written};
+use super::distribute::{Chosen, Distribute, FoundTensions, NoDerivative, Status, Task, Written};
 use super::quadratic;
 use super::response::optimum::Optimum;
 use super::{InputError, Limits};
@@ -94,7 +94,12 @@ impl Distribute for Centre {
         self.has_last = false;
     }
 
-    fn refine(&mut self, task: &Task<'_>, qp: &mut quadratic::Solver, found: &mut Found<'_>) -> Result<(), InputError> {
+    fn refine(
+        &mut self,
+        task: &Task<'_>,
+        qp: &mut quadratic::Solver,
+        found: &mut FoundTensions<'_>,
+    ) -> Result<(), InputError> {
         if *found.status == Status::Feasible {
             let steps = self.run(task, found.limits, qp, found.tensions)?;
             found.settle(steps);

@@ -13,21 +13,21 @@
 //! **Warm start:** none.
 
 use super::affine::Affine;
-use super::distribute::{Cause, Chosen, Distribute, Found, NoDerivative, Problem, Status, Task, Written};
+use super::distribute::{Cause, Chosen, Distribute, FoundTensions, NoDerivative, Problem, Status, Task, Written};
 use super::polytope::{Centroid, Polytope};
 use super::response::centroid;
 use super::{InputError, Limits, quadratic};
 
 /// Memory for the solutions of the balance, one polytope and the point it is seen from.
 #[derive(Clone, Debug)]
-pub(super) struct Search {
+pub(super) struct CentroidMethod {
     balanced: Affine,
     polytope: Polytope,
     row: Vec<f64>,
     start: Vec<f64>,
 }
 
-impl Search {
+impl CentroidMethod {
     pub(super) fn new(cable_count: usize, dof: usize) -> Self {
         Self {
             balanced: Affine::new(cable_count, dof),
@@ -84,12 +84,12 @@ impl Search {
     }
 }
 
-impl Distribute for Search {
+impl Distribute for CentroidMethod {
     fn refine(
         &mut self,
         task: &Task<'_>,
         _qp: &mut quadratic::Solver,
-        found: &mut Found<'_>,
+        found: &mut FoundTensions<'_>,
     ) -> Result<(), InputError> {
         if *found.status != Status::Feasible {
             return Ok(());

@@ -4,7 +4,7 @@ use nalgebra::{DMatrix, DVector};
 
 use super::Limits;
 use super::affine::{Affine, add_scaled};
-use super::distribute::{Chosen, Distribute, Found, Problem, Task, Written};
+use super::distribute::{Chosen, Distribute, FoundTensions, Problem, Task, Written};
 use super::error::{InputError, check_shape, check_sizes};
 use super::limits::can_be_calculated_with;
 use super::response::optimum;
@@ -34,10 +34,10 @@ impl Solution {
     pub fn reason(&self, limits: &Limits) -> Option<String> {
         let mut reasons = limits.missed(&self.tensions);
         if !self.balanced {
-            let rest: Vec<String> = self.wrench_residual.iter().map(|rest| format!("{rest:.3}")).collect();
+            let residual: Vec<String> = self.wrench_residual.iter().map(|residual| format!("{residual:.3}")).collect();
             reasons.push(format!(
                 "the cables leave [{}] of the load unbalanced: the structure matrix has rank {} of {}",
-                rest.join(", "),
+                residual.join(", "),
                 self.rank,
                 self.wrench_residual.len()
             ));
@@ -125,12 +125,12 @@ impl Solver {
         for (column, tension) in columns.zip(&self.solution.tensions) {
             sizes.iter_mut().zip(column).for_each(|(size, entry)| *size += (entry * tension).abs());
         }
-        self.solution.wrench_residual.iter().zip(sizes).all(|(rest, size)| rest.abs() <= ROUNDING * *size)
+        self.solution.wrench_residual.iter().zip(sizes).all(|(residual, size)| residual.abs() <= ROUNDING * *size)
     }
 }
 
 impl Distribute for Solver {
-    fn search(&mut self, task: &Task<'_>, found: &mut Found<'_>) -> Result<bool, InputError> {
+    fn search(&mut self, task: &Task<'_>, found: &mut FoundTensions<'_>) -> Result<bool, InputError> {
         let Problem { structure_matrix, wrench } = task.problem;
         let solution = self.solve(structure_matrix, wrench, found.limits, Some(task.reference))?;
         found.tensions.copy_from_slice(&solution.tensions);
@@ -166,11 +166,11 @@ fn by_singular_values(
     }
     // rows of length 1: forces and moments have different units, and the rank should not depend on them
     let largest = rows.row_iter().map(|row| row.norm()).fold(0.0, f64::max);
-    for (mut row, rest) in rows.row_iter_mut().zip(unbalanced.iter_mut()) {
+    for (mut row, residual) in rows.row_iter_mut().zip(unbalanced.iter_mut()) {
         let length = row.norm();
         if length > LOST * largest {
             row /= length;
-            *rest /= length;
+            *residual /= length;
         }
     }
     let (correction, rank) = minimum_norm(rows, &unbalanced);

@@ -57,7 +57,7 @@ pub(super) struct Task<'a> {
 
 /// Answer of a method, to be written.
 #[derive(Debug)]
-pub(super) struct Found<'a> {
+pub(super) struct FoundTensions<'a> {
     /// The limits in force.
     pub(super) limits: &'a Limits,
     pub(super) tensions: &'a mut [f64],
@@ -66,7 +66,7 @@ pub(super) struct Found<'a> {
     pub(super) iterations: &'a mut u32,
 }
 
-impl Found<'_> {
+impl FoundTensions<'_> {
     /// Steps of a search, or `None` of one that did not settle.
     pub(super) fn settle(&mut self, steps: Option<u32>) {
         match steps {
@@ -82,7 +82,7 @@ pub(super) trait Distribute: CloneBoxed + fmt::Debug + Send + Sync {
     fn forget(&mut self) {}
 
     /// Searches before the exact verdict is asked for; true if it found tensions within balance and limits, so that none is needed.
-    fn search(&mut self, _task: &Task<'_>, _found: &mut Found<'_>) -> Result<bool, InputError> {
+    fn search(&mut self, _task: &Task<'_>, _found: &mut FoundTensions<'_>) -> Result<bool, InputError> {
         Ok(false)
     }
 
@@ -91,7 +91,7 @@ pub(super) trait Distribute: CloneBoxed + fmt::Debug + Send + Sync {
         &mut self,
         _task: &Task<'_>,
         _qp: &mut quadratic::Solver,
-        _found: &mut Found<'_>,
+        _found: &mut FoundTensions<'_>,
     ) -> Result<(), InputError> {
         Ok(())
     }

@@ -11,7 +11,7 @@
 //! rule. **Warm start:** none: another start would tend to another point.
 
 use super::affine::Affine;
-use super::distribute::{Chosen, Distribute, Found, Problem, Status, Task, Written};
+use super::distribute::{Chosen, Distribute, FoundTensions, Problem, Status, Task, Written};
 use super::{InputError, Limits, nearest, quadratic};
 
 /// Rounds before giving up.
@@ -37,7 +37,7 @@ impl Projections {
 }
 
 impl Distribute for Projections {
-    fn search(&mut self, task: &Task<'_>, found: &mut Found<'_>) -> Result<bool, InputError> {
+    fn search(&mut self, task: &Task<'_>, found: &mut FoundTensions<'_>) -> Result<bool, InputError> {
         let Self { balanced, search } = self;
         let Problem { structure_matrix, wrench } = task.problem;
         if !balanced.load(structure_matrix, wrench)? {
@@ -53,7 +53,7 @@ impl Distribute for Projections {
         &mut self,
         _task: &Task<'_>,
         _qp: &mut quadratic::Solver,
-        found: &mut Found<'_>,
+        found: &mut FoundTensions<'_>,
     ) -> Result<(), InputError> {
         if *found.status == Status::NotFound {
             let rounds = MAX_ROUNDS - FIRST_ROUNDS;

@@ -10,23 +10,23 @@
 //! it may jump where it does. **Warm start:** none, every result depends on its own problem alone.
 
 use super::affine::Affine;
-use super::distribute::{Chosen, Distribute, Found, ON_LIMIT, Problem, Task, Written};
+use super::distribute::{Chosen, Distribute, FoundTensions, ON_LIMIT, Problem, Task, Written};
 use super::{InputError, Limits, nearest};
 
 /// Memory for the solutions of the balance.
 #[derive(Clone, Debug)]
-pub(super) struct Search {
+pub(super) struct ImprovedClosedForm {
     balanced: Affine,
 }
 
-impl Search {
+impl ImprovedClosedForm {
     pub(super) fn new(cable_count: usize, dof: usize) -> Self {
         Self { balanced: Affine::new(cable_count, dof) }
     }
 }
 
-impl Distribute for Search {
-    fn search(&mut self, task: &Task<'_>, found: &mut Found<'_>) -> Result<bool, InputError> {
+impl Distribute for ImprovedClosedForm {
+    fn search(&mut self, task: &Task<'_>, found: &mut FoundTensions<'_>) -> Result<bool, InputError> {
         let Problem { structure_matrix, wrench } = task.problem;
         Ok(self.balanced.load(structure_matrix, wrench)?
             && search(&mut self.balanced, found.limits, task.reference, found.tensions))

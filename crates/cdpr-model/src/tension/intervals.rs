@@ -307,8 +307,8 @@ mod tests {
                 fixed.iter().enumerate().for_each(|(place, &k)| f[k] = limits[k][(sides >> place) & 1]);
                 let right =
                     -nalgebra::DVector::from_column_slice(wrench) - matrix * nalgebra::DVector::from_column_slice(&f);
-                let Some(rest) = matrix.select_columns(&free).lu().solve(&right) else { continue };
-                free.iter().zip(rest.iter()).for_each(|(&k, &value)| f[k] = value);
+                let Some(free_tensions) = matrix.select_columns(&free).lu().solve(&right) else { continue };
+                free.iter().zip(free_tensions.iter()).for_each(|(&k, &value)| f[k] = value);
                 if f.iter().zip(limits).all(|(f, limit)| *f >= limit[0] - 1e-10 && *f <= limit[1] + 1e-10) {
                     found.push(f);
                 }

@@ -94,14 +94,14 @@ methods! {
         name: "improved-closed-form",
         is_exact: false,
         stays_near_reference: true,
-        make: |cable_count, dof| Box::new(improved_closed_form::Search::new(cable_count, dof)),
+        make: |cable_count, dof| Box::new(improved_closed_form::ImprovedClosedForm::new(cable_count, dof)),
         ..EXACT
     }
     Puncture {
         summary: "the first point within the limits on the way from the shortest tensions −A⁺ᵀ w to the improved closed form (Müller, Reichert, Bruckmann 2015)",
         name: "puncture",
         is_exact: false,
-        make: |cable_count, dof| Box::new(puncture::Search::new(cable_count, dof)),
+        make: |cable_count, dof| Box::new(puncture::Puncture::new(cable_count, dof)),
         ..EXACT
     }
     Dykstra {
@@ -115,21 +115,21 @@ methods! {
     Centroid {
         summary: "the centroid of all tensions within balance and limits (Gouttefarde et al. 2015), at any redundancy",
         name: "centroid",
-        make: |cable_count, dof| Box::new(centroid::Search::new(cable_count, dof)),
+        make: |cable_count, dof| Box::new(centroid::CentroidMethod::new(cable_count, dof)),
         ..EXACT
     }
     Minimum {
         summary: "the lowest, min ‖f‖ₚ within balance and limits; p from 1 (the sum) to 8, by default 2",
         name: "minimum",
         least_p: Some(1.0),
-        make: |cable_count, dof| Box::new(norm::Search::new(norm::End::Zero, cable_count, dof)),
+        make: |cable_count, dof| Box::new(norm::ExtremeNorm::new(norm::Extreme::Zero, cable_count, dof)),
         ..EXACT
     }
     Maximum {
         summary: "the highest, min ‖f_max − f‖ₚ: the least that is missing to the largest tensions; p = 1 is the largest sum",
         name: "maximum",
         least_p: Some(1.0),
-        make: |cable_count, dof| Box::new(norm::Search::new(norm::End::Largest, cable_count, dof)),
+        make: |cable_count, dof| Box::new(norm::ExtremeNorm::new(norm::Extreme::Largest, cable_count, dof)),
         ..EXACT
     }
     Barrier {
@@ -145,14 +145,14 @@ methods! {
         fallback: Fallback::PartOfLoad,
         stays_near_reference: true,
         least_p: Some(2.0),
-        make: |cable_count, dof| Box::new(smooth::Search::new(cable_count, dof)),
+        make: |cable_count, dof| Box::new(smooth::SmoothNorm::new(cable_count, dof)),
     }
     NearestWrench {
         summary: "those of qp; where no tensions balance the load, those within the limits that come nearest to it",
         name: "nearest-wrench",
         fallback: Fallback::PartOfLoad,
         stays_near_reference: true,
-        make: |cable_count, dof| Box::new(nearest_wrench::Search::new(cable_count, dof)),
+        make: |cable_count, dof| Box::new(nearest_wrench::NearestWrench::new(cable_count, dof)),
         ..EXACT
     }
 }

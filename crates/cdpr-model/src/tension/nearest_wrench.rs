@@ -13,7 +13,7 @@
 use nalgebra::DMatrix;
 
 use super::affine::{add_scaled, dot};
-use super::distribute::{Chosen, Distribute, Found, ON_LIMIT, Problem, Status, Task, Written};
+use super::distribute::{Chosen, Distribute, FoundTensions, ON_LIMIT, Problem, Status, Task, Written};
 use super::{InputError, Limits, nearest, quadratic};
 
 /// Releases before giving up, per cable.
@@ -29,7 +29,7 @@ enum Place {
 
 /// Memory for one problem.
 #[derive(Clone, Debug)]
-pub(super) struct Search {
+pub(super) struct NearestWrench {
     dof: usize,
     /// S Aᵀ by columns, and what is left of the load: S (Aᵀ f + w).
     matrix: DMatrix<f64>,
@@ -46,7 +46,7 @@ pub(super) struct Search {
     barred: Vec<bool>,
 }
 
-impl Search {
+impl NearestWrench {
     pub(super) fn new(cable_count: usize, dof: usize) -> Self {
         Self {
             dof,
@@ -208,7 +208,7 @@ impl Search {
     }
 }
 
-impl Search {
+impl NearestWrench {
     /// Of the tensions that give the same wrench, takes the nearest to the reference.
     fn take_nearest_to_reference(
         &mut self,
@@ -221,7 +221,7 @@ impl Search {
         let wrench = &mut self.wrench;
         wrench.fill(0.0);
         for (column, f) in matrix.column_iter().zip(tensions.iter()) {
-            wrench.iter_mut().zip(&column).for_each(|(rest, entry)| *rest -= entry * f);
+            wrench.iter_mut().zip(&column).for_each(|(residual, entry)| *residual -= entry * f);
         }
         let found = qp.solve(matrix, wrench, limits, Some(task.reference))?;
         if found.status == quadratic::Status::Feasible {
@@ -231,10 +231,15 @@ impl Search {
     }
 }
 
-impl Distribute for Search {
-    fn refine(&mut self, task: &Task<'_>, qp: &mut quadratic::Solver, found: &mut Found<'_>) -> Result<(), InputError> {
+impl Distribute for NearestWrench {
+    fn refine(
+        &mut self,
+        task: &Task<'_>,
+        qp: &mut quadratic::Solver,
+        found: &mut FoundTensions<'_>,
+    ) -> Result<(), InputError> {
         if *found.status == Status::Infeasible {
-            let Found { limits, tensions, iterations, .. } = found;
+            let FoundTensions { limits, tensions, iterations, .. } = found;
             **iterations = self.run(&task.problem, task.options.lengths, limits, task.reference, tensions);
             self.take_nearest_to_reference(task, limits, qp, tensions)?;
         }

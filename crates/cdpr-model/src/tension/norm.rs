@@ -19,7 +19,7 @@
 
 use nalgebra::DMatrix;
 
-use super::distribute::{self, Chosen, Distribute, Found, ON_LIMIT, Problem, Task, Written};
+use super::distribute::{self, Chosen, Distribute, FoundTensions, ON_LIMIT, Problem, Task, Written};
 use super::quadratic::{self, Status};
 use super::response::optimum;
 use super::{InputError, Limits};
@@ -37,7 +37,7 @@ const LEAST_WEIGHT: f64 = 1e-6;
 
 /// Which end of the limits the norm is taken from.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum End {
+pub(super) enum Extreme {
     /// ‖f‖
     Zero,
     /// ‖f_max − f‖
@@ -46,8 +46,8 @@ pub(super) enum End {
 
 /// Memory for the programmes of one norm.
 #[derive(Clone, Debug)]
-pub(super) struct Search {
-    end: End,
+pub(super) struct ExtremeNorm {
+    end: Extreme,
     qp: quadratic::Solver,
     matrix: DMatrix<f64>,
     limits: Limits,
@@ -56,8 +56,8 @@ pub(super) struct Search {
     next: Vec<f64>,
 }
 
-impl Search {
-    pub(super) fn new(end: End, cable_count: usize, dof: usize) -> Self {
+impl ExtremeNorm {
+    pub(super) fn new(end: Extreme, cable_count: usize, dof: usize) -> Self {
         Self {
             end,
             qp: quadratic::Solver::new(cable_count, dof),
@@ -72,8 +72,8 @@ impl Search {
     /// Tension of a cable at which the norm is zero (N).
     fn target(&self, limits: &Limits, cable: usize) -> f64 {
         match self.end {
-            End::Zero => 0.0,
-            End::Largest => limits.maximum()[cable],
+            Extreme::Zero => 0.0,
+            Extreme::Largest => limits.maximum()[cable],
         }
     }
 
@@ -114,7 +114,7 @@ impl Search {
         limits: &Limits,
         tensions: &mut [f64],
     ) -> Result<Option<u32>, InputError> {
-        let unit = limits.diameter().max(limits.tolerance()) * if self.end == End::Zero { -1.0 } else { 1.0 };
+        let unit = limits.diameter().max(limits.tolerance()) * if self.end == Extreme::Zero { -1.0 } else { 1.0 };
         let mut factor = 2.0;
         for step in 1..=MAX_STEPS {
             let away = factor * unit;
@@ -216,7 +216,7 @@ impl Search {
     }
 }
 
-impl Distribute for Search {
+impl Distribute for ExtremeNorm {
     fn forget(&mut self) {
         self.qp.forget();
     }
@@ -225,7 +225,7 @@ impl Distribute for Search {
         &mut self,
         task: &Task<'_>,
         _qp: &mut quadratic::Solver,
-        found: &mut Found<'_>,
+        found: &mut FoundTensions<'_>,
     ) -> Result<(), InputError> {
         if *found.status == distribute::Status::Feasible {
             let steps = self.run(&task.problem, found.limits, task.options.p, found.tensions)?;

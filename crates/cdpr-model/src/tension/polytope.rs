@@ -178,16 +178,16 @@ impl Level {
         for other in (0..self.offsets.len()).filter(|other| *other != facet) {
             let a = &self.normals[other * dimension..][..dimension];
             let cos = dot(a, normal);
-            let rest = self.offsets[other] - cos * offset;
+            let remainder = self.offsets[other] - cos * offset;
             self.row.copy_from_slice(a);
             add_scaled(&mut self.row, -self.factor * dot(a, &self.reflector), &self.reflector);
             let row = &self.row[..dimension - 1];
             if dot(row, row).sqrt() < PARALLEL {
-                let is_same = cos > 0.0 && rest.abs() <= ROUNDING;
-                if rest < -ROUNDING || (is_same && other < facet) {
+                let is_same = cos > 0.0 && remainder.abs() <= ROUNDING;
+                if remainder < -ROUNDING || (is_same && other < facet) {
                     return false;
                 }
-            } else if !target.add(row, rest) {
+            } else if !target.add(row, remainder) {
                 return false;
             }
         }

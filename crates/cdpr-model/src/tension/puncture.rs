@@ -12,26 +12,26 @@ use nalgebra::DVector;
 
 use super::affine::{Affine, add_scaled};
 use super::distribute::{
-    Chosen, Derivative, Distribute, Found, NoDerivative, ON_LIMIT, Problem, Task, Written, between,
+    Chosen, Derivative, Distribute, FoundTensions, NoDerivative, ON_LIMIT, Problem, Task, Written, between,
 };
 use super::response::optimum::Optimum;
 use super::{InputError, Limits, closed_form, improved_closed_form};
 
 /// Memory for the solutions of the balance and the shortest of them.
 #[derive(Clone, Debug)]
-pub(super) struct Search {
+pub(super) struct Puncture {
     balanced: Affine,
     minimum_norm: Vec<f64>,
 }
 
-impl Search {
+impl Puncture {
     pub(super) fn new(cable_count: usize, dof: usize) -> Self {
         Self { balanced: Affine::new(cable_count, dof), minimum_norm: vec![0.0; cable_count] }
     }
 }
 
-impl Distribute for Search {
-    fn search(&mut self, task: &Task<'_>, found: &mut Found<'_>) -> Result<bool, InputError> {
+impl Distribute for Puncture {
+    fn search(&mut self, task: &Task<'_>, found: &mut FoundTensions<'_>) -> Result<bool, InputError> {
         let Problem { structure_matrix, wrench } = task.problem;
         let Self { balanced, minimum_norm } = self;
         Ok(balanced.load(structure_matrix, wrench)?

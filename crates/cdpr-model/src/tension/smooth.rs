@@ -25,7 +25,7 @@ mod tests;
 
 use super::affine::dot;
 use super::closed_form::ROUNDING;
-use super::distribute::{Chosen, Distribute, Found, NoDerivative, Problem, Task, Written};
+use super::distribute::{Chosen, Distribute, FoundTensions, NoDerivative, Problem, Task, Written};
 use super::response::optimum::Optimum;
 use super::{InputError, Limits, Options};
 
@@ -103,7 +103,7 @@ impl Cost {
 
 /// Memory for one problem in units of α, and the last multipliers.
 #[derive(Clone, Debug)]
-pub(super) struct Search {
+pub(super) struct SmoothNorm {
     dof: usize,
     /// c.
     barrier: f64,
@@ -126,7 +126,7 @@ pub(super) struct Search {
     hessian: Vec<f64>,
 }
 
-impl Search {
+impl SmoothNorm {
     pub(super) fn new(cable_count: usize, dof: usize) -> Self {
         Self {
             dof,
@@ -328,13 +328,13 @@ fn is_balanced(problem: &Problem<'_>, tensions: &[f64]) -> bool {
     })
 }
 
-impl Distribute for Search {
+impl Distribute for SmoothNorm {
     fn forget(&mut self) {
         self.multipliers.fill(0.0);
         self.places.fill(0.0);
     }
 
-    fn search(&mut self, task: &Task<'_>, found: &mut Found<'_>) -> Result<bool, InputError> {
+    fn search(&mut self, task: &Task<'_>, found: &mut FoundTensions<'_>) -> Result<bool, InputError> {
         let p = task.options.p;
         if p < 2.0 {
             let expected = "from 2 to 8 for tensions without kinks";

@@ -23,7 +23,7 @@ fn run(text: &str, robot: Robot) -> (Vec<SensorLog>, Vec<super::super::PlantStat
         states.push(state.clone());
         Ok::<_, Infallible>(ControlFlow::Continue(()))
     });
-    assert_eq!(summary.unwrap().end, super::super::End::Completed);
+    assert_eq!(summary.unwrap().end, super::super::RunEnd::Completed);
     let logs = simulation.sensors.as_ref().unwrap().logs(&simulation.plant);
     (logs, states, simulation)
 }

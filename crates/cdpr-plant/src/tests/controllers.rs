@@ -5,7 +5,7 @@ use std::ops::ControlFlow;
 use std::sync::{Arc, Mutex};
 
 use super::super::{
-    Between, ControlError, Controller, End, Measured, Scenario, Setpoint, Simulation, StepError, Summary,
+    Between, ControlError, Controller, Measured, RunEnd, Scenario, Setpoint, Simulation, StepError, Summary,
 };
 use super::*;
 
@@ -82,7 +82,7 @@ fn a_controller_without_a_period_is_asked_for_every_step() {
     let stairs = Stairs::every(None);
     let asked = stairs.asked.clone();
     let (rows, summary) = run(simulation("", stairs));
-    assert_eq!((summary.end, summary.steps), (End::Completed, 100));
+    assert_eq!((summary.end, summary.steps), (RunEnd::Completed, 100));
     let asked = asked.lock().unwrap();
     assert_eq!(asked.len(), 100);
     for (index, (time, seen, tension)) in asked.iter().enumerate() {
@@ -100,7 +100,7 @@ fn a_period_is_kept_beside_the_grid_and_by_either_integrator() {
             let stairs = Stairs { count: 9, ..Stairs::every(Some(period)) };
             let asked = stairs.asked.clone();
             let (rows, summary) = run(simulation(&format!("integrator = \"{integrator}\"\n"), stairs));
-            assert_eq!((rows.len(), &summary.end), (101, &End::Completed));
+            assert_eq!((rows.len(), &summary.end), (101, &RunEnd::Completed));
             assert!(summary.steps == steps || integrator != "symplectic", "{period}: {}", summary.steps);
             let asked = asked.lock().unwrap();
             assert_eq!(asked.len(), count, "{period} {integrator}");
@@ -171,10 +171,10 @@ fn controllers_that_cannot_go_on_end_the_run_with_their_reason() {
         }
     }
     let (rows, summary) = run(simulation("", Refuses(Command::Speed(0.0))));
-    assert_eq!(summary.end, End::Failed(StepError::Control(ControlError::new("nobody knows"))));
+    assert_eq!(summary.end, RunEnd::Failed(StepError::Control(ControlError::new("nobody knows"))));
     assert!((rows.last().unwrap().time - 0.05).abs() < 1e-12);
     let (_, summary) = run(simulation("", Refuses(Command::Tension(100.0))));
-    let End::Failed(error) = summary.end else { panic!("completed") };
+    let RunEnd::Failed(error) = summary.end else { panic!("completed") };
     assert!(error.to_string().contains("cable 3 is commanded a tension"), "{error}");
     let scenario = Scenario::from_toml_bytes(PLATE.as_bytes(), "scenario.toml").unwrap();
     let never = Box::new(Stairs::every(Some(0.0)));

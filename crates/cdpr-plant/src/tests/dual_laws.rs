@@ -77,7 +77,7 @@ fn sagging(
     coefficients: &[f64],
     anchor: [Dual; 3],
     unstrained: Dual,
-    near: &span::State<f64>,
+    near: &span::SpanState<f64>,
 ) -> ([Dual; 3], Dual) {
     let [x, y, z] = near.force;
     let start = [x, y, z, near.length];
@@ -124,7 +124,7 @@ impl Equations<'_> {
             let outlet = bent::outlet(&pulley, scale(number(1.0) / tension, force));
             (end, wrapped) = (add(end, outlet.contact), pulley.radius * outlet.wrap_angle);
         }
-        let state = span::State { force, length };
+        let state = span::SpanState { force, length };
         let [x, y, z] = add(end, shape.vector(&state, law.weight.map(number), &law.stretch));
         let outside = wrapped + number(law.hidden_length) - number(law.series_compliance) * tension;
         let strained = number(1.0) + self.strain(tension);

@@ -31,7 +31,7 @@ fn end(text: &str) -> (Vec<PlantState>, Vec<(f64, &'static str)>, u64) {
     });
     let summary = summary.unwrap();
     assert!(summary.tension_min > 0.0, "a slack cable has another order");
-    assert_eq!(summary.end, super::super::End::Completed);
+    assert_eq!(summary.end, super::super::RunEnd::Completed);
     (rows, summary.events.iter().map(|event| (event.time, event.happening.kind())).collect(), summary.steps)
 }
 

@@ -3,7 +3,7 @@
 use std::convert::Infallible;
 use std::ops::ControlFlow;
 
-use super::super::{End, Scenario, Simulation, StepError, Summary, Violation};
+use super::super::{RunEnd, Scenario, Simulation, StepError, Summary, Violation};
 use super::*;
 use cdpr_model::robot::Robot;
 
@@ -134,7 +134,7 @@ fn a_cable_without_length_ends_the_run() {
         summary.end
     };
     for step in ["record_s = 0.001\n", "integrator = \"error-controlled\"\n"] {
-        let End::Failed(error) = end(step) else { panic!("it went on") };
+        let RunEnd::Failed(error) = end(step) else { panic!("it went on") };
         assert!(matches!(error, StepError::NoLength { cable: 3, length } if length <= 0.0), "{error}");
         assert!(error.to_string().starts_with("cable 3 has no length left"), "{error}");
     }
@@ -146,7 +146,7 @@ fn a_spin_beyond_a_radian_a_step_ends_the_run() {
     let text = "[machine]\nrobot = \"simulator\"\n[start]\npose = [0, 0, 1.5, 0, 0, 0]\ntension_method = \"closed-form\"\n\
                 [[event]]\ntime_s = 0\nkind = \"wrench\"\nwrench = [0, 0, 0, 0, 0, 1e6]\n[time]\nduration_s = 1.0\n";
     let (_, summary) = run(text, simulator());
-    let End::Failed(error) = summary.end else { panic!("it went on for {} steps", summary.steps) };
+    let RunEnd::Failed(error) = summary.end else { panic!("it went on for {} steps", summary.steps) };
     assert!(matches!(error, StepError::Spin { turn } if turn > 1.0), "{error}");
     assert!(summary.steps < 100, "{}", summary.steps);
     // half a radian a step is followed
@@ -154,8 +154,8 @@ fn a_spin_beyond_a_radian_a_step_ends_the_run() {
         let text = PLATE.to_owned() + &format!("twist = [0, 0, {rate}]\n[time]\nduration_s = 0.001\n");
         run(&text, plate()).1.end
     };
-    assert_eq!(spins(500.0), End::Completed);
-    assert!(matches!(spins(1001.0), End::Failed(StepError::Spin { .. })));
+    assert_eq!(spins(500.0), RunEnd::Completed);
+    assert!(matches!(spins(1001.0), RunEnd::Failed(StepError::Spin { .. })));
 }
 
 /// Rows of the log, of the encoders, and of a unit that is faster than the steps.

@@ -4,7 +4,7 @@ use std::convert::Infallible;
 use std::ops::ControlFlow;
 
 use super::super::scenario::located;
-use super::super::{End, PlantError, Scenario, Simulation, Summary};
+use super::super::{PlantError, RunEnd, Scenario, Simulation, Summary};
 use super::*;
 
 const PLATE: &str = "[machine]\nrobot = \"plate\"\ncable_damping_N_s_per_m = 2.0\n[start]\npose = [0.6, 0.6, 0]\n\
@@ -32,7 +32,7 @@ fn rows_stand_at_the_times_of_the_record_and_at_the_end() {
     let text = PLATE.to_owned() + "record_s = 0.03\n";
     let (rows, summary, _) = run(&text);
     assert_eq!(rows.iter().map(|row| row.time).collect::<Vec<_>>(), [0.0, 0.03, 0.06, 0.09, 0.1]);
-    assert_eq!((summary.end, summary.steps), (End::Completed, 100));
+    assert_eq!((summary.end, summary.steps), (RunEnd::Completed, 100));
 }
 
 /// An event between two steps splits one of them; a row at the time of an event shows the state before it.

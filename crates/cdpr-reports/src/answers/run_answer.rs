@@ -4,7 +4,7 @@ use cdpr_model::geometry::MotionPattern;
 use cdpr_model::model::Model;
 use cdpr_model::robot::Assumption;
 use cdpr_plant::scenario::Integrator;
-use cdpr_plant::{End, Event, Plant, PlantState, Simulation, Summary, Winches};
+use cdpr_plant::{Event, Plant, PlantState, RunEnd, Simulation, Summary, Winches};
 use serde::Serialize;
 
 use super::{Answer, PoseAnswer, assumed_numbers, inertia_doubt, title};
@@ -109,9 +109,9 @@ impl RunAnswer {
     pub fn new(simulation: &Simulation, summary: &Summary, violations: &[Violation], log: &str) -> Self {
         let (model, state) = (simulation.plant.model(), &simulation.state);
         let (status, reason) = match &summary.end {
-            End::Completed => ("completed", broken(violations).map(|limits| format!("limits are broken: {limits}"))),
-            End::Stopped => ("stopped", Some(format!("the run was stopped at {} s", state.time))),
-            End::Failed(error) => ("failed", Some(format!("after {:.6} s: {error}", state.time))),
+            RunEnd::Completed => ("completed", broken(violations).map(|limits| format!("limits are broken: {limits}"))),
+            RunEnd::Stopped => ("stopped", Some(format!("the run was stopped at {} s", state.time))),
+            RunEnd::Failed(error) => ("failed", Some(format!("after {:.6} s: {error}", state.time))),
         };
         let energy = simulation.plant.energy(state).map(|energy| EnergyAnswer {
             kinetic: energy.kinetic,

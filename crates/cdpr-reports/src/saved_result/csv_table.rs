@@ -1,6 +1,6 @@
 //! A table of a result's folder, read back.
 
-use cdpr_model::reading::{Place, ReadError, Size, text_from_bytes};
+use cdpr_model::reading::{ReadError, Size, TextPlace, text_from_bytes};
 
 use crate::NamedFile;
 
@@ -51,5 +51,5 @@ impl CsvTable {
 }
 
 fn placed(file_name: &str, line: usize, message: String) -> ReadError {
-    ReadError::new(file_name, "result::table", message).at(Place::on_line("", line, 1, 1))
+    ReadError::new(file_name, "result::table", message).at(TextPlace::on_line("", line, 1, 1))
 }

@@ -6,7 +6,7 @@ mod numbers;
 mod tables;
 
 use cdpr_calibration::selection::SelectionCriterion;
-use cdpr_model::reading::{Place, ReadError, Size, text_from_bytes};
+use cdpr_model::reading::{ReadError, Size, TextPlace, text_from_bytes};
 use cdpr_model::robot::Robot;
 use serde::Deserialize;
 
@@ -140,7 +140,7 @@ fn parsed(bytes: &[u8], file_name: &str) -> Result<ResultFile, ReadError> {
     serde_json::from_str(text).map_err(|error| {
         let line = text.lines().nth(error.line().saturating_sub(1)).unwrap_or_default();
         ReadError::new(file_name, "result::json", format!("this is no result: {error}"))
-            .at(Place::on_line(line, error.line().max(1), error.column().max(1), 1))
+            .at(TextPlace::on_line(line, error.line().max(1), error.column().max(1), 1))
             .with_help("a result is what `cdpr select`, `demo` or `identify` answer with --format json")
     })
 }

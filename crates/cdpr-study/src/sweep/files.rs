@@ -2,7 +2,7 @@
 
 use toml::Table;
 
-use super::key::Place;
+use super::key::KeyTarget;
 use super::point_error::PointError;
 use super::pulleys::with_pulleys;
 use super::{Key, Subjects, Sweep};
@@ -23,7 +23,7 @@ pub(super) struct Files<'a> {
 
 /// A file as text and, where it can be read without the sweep's values, read.
 struct File<T> {
-    place: Place,
+    place: KeyTarget,
     /// Name in errors.
     name: &'static str,
     table: Table,
@@ -46,7 +46,7 @@ impl<'a> Files<'a> {
         };
         let study = table(&subjects.study, "the study")?;
         let keys: Vec<Key> = sweep.parameter.iter().map(|parameter| parameter.key.parse()).collect::<Result<_, _>>()?;
-        let robot = |text: &str, place: Place, known, name| -> Result<File<Robot>, PointError> {
+        let robot = |text: &str, place: KeyTarget, known, name| -> Result<File<Robot>, PointError> {
             let read = Robot::from_toml(text, known).ok();
             let parameters_of = |key: &Key| match &read {
                 Some(robot) if key.place.covers(place) => key.parameters(robot),
@@ -58,14 +58,19 @@ impl<'a> Files<'a> {
         Ok(Self {
             axes: sweep.parameter.iter().map(|parameter| parameter.swivel_axis.as_deref()).collect(),
             study: File {
-                place: Place::Study,
+                place: KeyTarget::Study,
                 name: "the study of this point",
                 table: study,
                 read: Study::from_toml_bytes(subjects.study.as_bytes(), "the study").ok(),
                 parameters: Vec::new(),
             },
-            control: robot(&subjects.control, Place::Control, "the control model", "the control model of this point")?,
-            machine: robot(&subjects.machine, Place::Machine, "the machine", "the machine of this point")?,
+            control: robot(
+                &subjects.control,
+                KeyTarget::Control,
+                "the control model",
+                "the control model of this point",
+            )?,
+            machine: robot(&subjects.machine, KeyTarget::Machine, "the machine", "the machine of this point")?,
             offset_robot: subjects.offset_robot.as_deref(),
             keys,
         })
@@ -93,7 +98,7 @@ impl<'f> Changed<'f> {
             _ => Study::from_toml_bytes(self.text(study, None)?.as_bytes(), study.name)?,
         };
         let mut machine = self.robot(machine)?;
-        let placed = self.of(Place::PlacedPulleys).last();
+        let placed = self.of(KeyTarget::PlacedPulleys).last();
         if let Some((index, radius)) = placed {
             machine = with_pulleys(&machine, &study, radius, self.files.axes[index])?;
         }
@@ -102,7 +107,7 @@ impl<'f> Changed<'f> {
     }
 
     /// The values whose keys change a place.
-    fn of(&self, place: Place) -> impl Iterator<Item = (usize, f64)> {
+    fn of(&self, place: KeyTarget) -> impl Iterator<Item = (usize, f64)> {
         self.values.iter().copied().filter(move |(index, _)| self.files.keys[*index].place.covers(place))
     }
 

@@ -12,13 +12,13 @@ use cdpr_model::robot::{Parameter, Robot};
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Key {
     /// Files that hold it.
-    pub place: Place,
+    pub place: KeyTarget,
     steps: Vec<Word>,
 }
 
 /// Files that a key changes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub(crate) enum Place {
+pub(crate) enum KeyTarget {
     /// The robot of the control model.
     Control,
     /// The robot of the machine.
@@ -31,7 +31,7 @@ pub(crate) enum Place {
     PlacedPulleys,
 }
 
-impl Place {
+impl KeyTarget {
     /// True where a key of this place changes what another place names: `both` changes control model and machine.
     pub(super) fn covers(self, other: Self) -> bool {
         self == other || (self == Self::Both && matches!(other, Self::Control | Self::Machine))
@@ -112,15 +112,15 @@ impl FromStr for Key {
 
     fn from_str(key: &str) -> Result<Self, KeyError> {
         if key == "placed_pulley_radius_m" {
-            return Ok(Self { place: Place::PlacedPulleys, steps: Vec::new() });
+            return Ok(Self { place: KeyTarget::PlacedPulleys, steps: Vec::new() });
         }
         let nowhere = || KeyError::Place { key: key.to_owned() };
         let (place, rest) = key.split_once('.').ok_or_else(nowhere)?;
         let place = match place {
-            "control" => Place::Control,
-            "machine" => Place::Machine,
-            "both" => Place::Both,
-            "study" => Place::Study,
+            "control" => KeyTarget::Control,
+            "machine" => KeyTarget::Machine,
+            "both" => KeyTarget::Both,
+            "study" => KeyTarget::Study,
             _ => return Err(nowhere()),
         };
         Ok(Self { place, steps: steps_of(rest, key)? })
@@ -152,11 +152,11 @@ fn steps_of(inside: &str, whole: &str) -> Result<Vec<Word>, KeyError> {
 impl fmt::Display for Key {
     fn fmt(&self, formatter: &mut fmt::Formatter<'_>) -> fmt::Result {
         let place = match self.place {
-            Place::Control => "control",
-            Place::Machine => "machine",
-            Place::Both => "both",
-            Place::Study => "study",
-            Place::PlacedPulleys => return formatter.write_str("placed_pulley_radius_m"),
+            KeyTarget::Control => "control",
+            KeyTarget::Machine => "machine",
+            KeyTarget::Both => "both",
+            KeyTarget::Study => "study",
+            KeyTarget::PlacedPulleys => return formatter.write_str("placed_pulley_radius_m"),
         };
         write!(formatter, "{place}.{}", self.inside())
     }

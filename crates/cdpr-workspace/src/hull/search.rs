@@ -13,7 +13,7 @@ pub(super) struct Rays<'a> {
     pub(super) lengths: &'a [f64],
 }
 
-pub(super) struct Found {
+pub(super) struct Exits {
     pub(super) radii: Vec<f64>,
     pub(super) rays_at_bounds: usize,
     pub(super) points: u64,
@@ -35,7 +35,7 @@ pub(super) struct Reentry {
 impl Rays<'_> {
     /// The closed form where there is one; else probes along every ray, then bisection between the last probe in the region
     /// before the first one outside, and that.
-    pub(super) fn search(&self, settings: &Settings) -> Found {
+    pub(super) fn search(&self, settings: &Settings) -> Exits {
         let rays = self.directions.iter().zip(self.lengths);
         let spans = rays.map(|(direction, length)| self.region.holds_along(self.center, direction, *length));
         match spans.collect::<Option<Vec<Spans>>>() {
@@ -45,7 +45,7 @@ impl Rays<'_> {
     }
 
     /// Reads the spans of all rays. Each end is judged once: the point at a ray's end lies in the region, rounding or not.
-    fn read(&self, spans: &[Spans], tolerance: f64) -> Found {
+    fn read(&self, spans: &[Spans], tolerance: f64) -> Exits {
         let (mut radii, mut rays_at_bounds, mut reentry, mut longest) = (Vec::new(), 0, Reentry::default(), 0.0);
         for (ray, spans) in spans.iter().enumerate() {
             // the centre belongs to the region
@@ -69,10 +69,10 @@ impl Rays<'_> {
             .filter(|(_, holds)| !**holds)
             .for_each(|(radius, _)| *radius -= (0.5 * tolerance).min(*radius));
         let feasible_points = holds.iter().filter(|holds| **holds).count() as u64;
-        Found { radii, rays_at_bounds, points: points.len() as u64, feasible_points, reentry }
+        Exits { radii, rays_at_bounds, points: points.len() as u64, feasible_points, reentry }
     }
 
-    fn look(&self, settings: &Settings) -> Found {
+    fn look(&self, settings: &Settings) -> Exits {
         let probes = settings.probes.max(1);
         let holds = self.probe(probes);
         let mut brackets = Vec::with_capacity(self.lengths.len());
@@ -91,7 +91,7 @@ impl Rays<'_> {
             }
         }
         let [judged, feasible] = self.bisect(&mut brackets, settings.tolerance);
-        Found {
+        Exits {
             radii: brackets.iter().map(|bracket| bracket[0]).collect(),
             rays_at_bounds,
             points: judged + holds.len() as u64,

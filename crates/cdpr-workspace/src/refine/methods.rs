@@ -1,6 +1,6 @@
 //! Grid, octree and hull, finer with every refinement.
 
-use super::Search;
+use super::RegionSearch;
 use crate::grid::{self, Count, Grid};
 use crate::hull::{self, Hull, Locator};
 use crate::octree::{self, Octree};
@@ -49,7 +49,7 @@ pub fn step_after(step: f64, refinement: u32) -> f64 {
     step / f64::powi(2.0, refinement as i32)
 }
 
-impl Search for ByGrid<'_> {
+impl RegionSearch for ByGrid<'_> {
     type Found = (Grid, Count);
     type Error = WorkspaceError;
 
@@ -75,7 +75,7 @@ impl Search for ByGrid<'_> {
     }
 }
 
-impl<'a> Search for ByOctree<'a> {
+impl<'a> RegionSearch for ByOctree<'a> {
     type Found = Octree<'a>;
     type Error = WorkspaceError;
 
@@ -103,7 +103,7 @@ impl<'a> Search for ByOctree<'a> {
     }
 }
 
-impl Search for ByHull<'_> {
+impl RegionSearch for ByHull<'_> {
     type Found = Hull;
     type Error = WorkspaceError;
 

@@ -9,7 +9,7 @@ use super::audit::LOOKS;
 use super::{Audit, Bounds, Point, Region};
 
 /// A way to find a region, ever finer.
-pub trait Search {
+pub trait RegionSearch {
     /// Finding of a search.
     type Found;
     /// Why it cannot.
@@ -88,7 +88,7 @@ impl Goal {
 /// Finds a region as finely as the goal wants, and compares what was found with it at random points.
 ///
 /// Where chance leaves too much open more points are drawn, else the search is refined.
-pub fn refine<S: Search>(
+pub fn refine<S: RegionSearch>(
     region: &Region<'_>,
     bounds: &Bounds,
     goal: &Goal,

@@ -7,20 +7,20 @@ const HALVINGS: u32 = 10;
 
 /// A vertex before it is placed.
 #[derive(Clone, Copy, Debug)]
-pub(super) enum Place {
+pub(super) enum VertexPosition {
     At(Point),
     /// On the boundary between a point inside and one outside.
     Between(Point, Point),
 }
 
 /// The place of every vertex: of those between two points the last one inside.
-pub(super) fn places(region: &Region<'_>, vertices: &[Place]) -> Vec<Point> {
+pub(super) fn places(region: &Region<'_>, vertices: &[VertexPosition]) -> Vec<Point> {
     let mut open: Vec<(usize, Point)> = Vec::new();
     let mut points: Vec<Point> = Vec::with_capacity(vertices.len());
     for (index, vertex) in vertices.iter().enumerate() {
         points.push(match vertex {
-            Place::At(point) => *point,
-            Place::Between(inside, outside) => {
+            VertexPosition::At(point) => *point,
+            VertexPosition::Between(inside, outside) => {
                 open.push((index, *outside));
                 *inside
             }

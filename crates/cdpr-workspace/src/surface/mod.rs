@@ -8,7 +8,7 @@ mod cases;
 mod cells;
 mod crossings;
 
-use crossings::Place;
+use crossings::VertexPosition;
 use std::collections::HashMap;
 
 use cases::{Corner, Edge, Piece};
@@ -109,7 +109,7 @@ struct Drawing<'a> {
     lattice: &'a Lattice<'a>,
     /// Vertices by the edges and nodes on which they lie.
     vertices: HashMap<(u64, usize), u32>,
-    crossings: Vec<Place>,
+    crossings: Vec<VertexPosition>,
     triangles: Vec<[u32; 3]>,
 }
 
@@ -128,9 +128,9 @@ impl Drawing<'_> {
             let is_beyond = outside[axis] == 0 || outside[axis] > lattice.counts[axis];
             let [from, to] = [inside, outside].map(|node| lattice.point(node));
             self.crossings.push(if is_beyond && lattice.region.holds(&to) {
-                Place::At(to)
+                VertexPosition::At(to)
             } else {
-                Place::Between(from, to)
+                VertexPosition::Between(from, to)
             });
             next
         })
@@ -140,7 +140,7 @@ impl Drawing<'_> {
         let node = corner_of(cube, corner);
         let (lattice, next) = (self.lattice, self.crossings.len() as u32);
         *self.vertices.entry((lattice.index(node), AT_NODE)).or_insert_with(|| {
-            self.crossings.push(Place::At(lattice.point(node)));
+            self.crossings.push(VertexPosition::At(lattice.point(node)));
             next
         })
     }

@@ -7,7 +7,7 @@ use cdpr_model::statics::Load;
 use cdpr_model::tension::Limits;
 use cdpr_workspace::criterion::WrenchFeasible;
 use cdpr_workspace::hull::{self, Center};
-use cdpr_workspace::refine::{ByGrid, ByHull, ByOctree, Goal, Search, refine};
+use cdpr_workspace::refine::{ByGrid, ByHull, ByOctree, Goal, RegionSearch, refine};
 use cdpr_workspace::{Archetype, Bounds, Point, Region};
 use nalgebra::{UnitQuaternion, Vector3};
 use rand::{RngExt, SeedableRng};
@@ -106,7 +106,7 @@ struct Tally {
 }
 
 /// Measures random robots by one method and compares with the oracle.
-fn measure<S: Search>(
+fn measure<S: RegionSearch>(
     region: &Region<'_>,
     bounds: &Bounds,
     goal: &Goal,

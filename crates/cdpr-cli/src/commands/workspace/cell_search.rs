@@ -3,7 +3,7 @@
 use std::path::Path;
 
 use cdpr_workspace::grid::{Count, Grid};
-use cdpr_workspace::refine::{Search, step_after};
+use cdpr_workspace::refine::{RegionSearch, step_after};
 use cdpr_workspace::{Cells, Point, Region};
 
 use super::counting;
@@ -40,7 +40,7 @@ impl<'a> CellSearch<'a> {
     }
 }
 
-impl Search for CellSearch<'_> {
+impl RegionSearch for CellSearch<'_> {
     type Found = Counted;
     type Error = Failure;
 

@@ -31,7 +31,7 @@ pub use straight::unit_spring;
 use super::elasticity::Elasticity;
 use super::outlet::Outlet;
 use super::path::CablePath;
-use super::span::{Shape, State};
+use super::span::{Shape, SpanState};
 use super::state::{CableInput, CableState, CableStateError, Recording};
 use super::stretch::Stretch;
 use super::stretch::hysteresis::Memory;
@@ -95,7 +95,7 @@ impl CableLaw {
         &self,
         end: impl Into<CableEnd<f64>>,
         input: CableInput,
-        guess: Option<State<f64>>,
+        guess: Option<SpanState<f64>>,
     ) -> Result<CableState, CableStateError> {
         let end = end.into();
         let state = self.state_on(&self.path(end.anchor), &end, input, guess)?;
@@ -112,7 +112,7 @@ impl CableLaw {
         path: &CablePath<f64>,
         end: &CableEnd<f64>,
         input: CableInput,
-        guess: Option<State<f64>>,
+        guess: Option<SpanState<f64>>,
     ) -> Result<CableState, CableStateError> {
         match self.kind {
             Kind::Rigid | Kind::Linear(..) | Kind::Stretching => self.straight_state(path, end, input),

@@ -5,8 +5,8 @@ use num_traits::Float as _;
 
 use super::matrix4::Matrix4;
 use super::sagging::Evaluation;
-use super::solve::{MAX_NEWTON_STEPS, MAX_STEPS, Search};
-use crate::cable::span::State;
+use super::solve::{CableSearch, MAX_NEWTON_STEPS, MAX_STEPS};
+use crate::cable::span::SpanState;
 use crate::cable::state::CableInput;
 use crate::scalar::{dot, scale, sub};
 use crate::solve::{self, Control, Rules, Step, StepRule, Stop, Trial, descend};
@@ -21,7 +21,7 @@ const LONGEST_STEP: f64 = 0.7;
 /// A state put into the equations, with what they leave open.
 #[derive(Clone, Copy)]
 struct Tried {
-    state: State<f64>,
+    state: SpanState<f64>,
     evaluation: Evaluation,
     /// Platform anchor (m), and what is known of the cable.
     gap: [f64; 4],
@@ -31,7 +31,7 @@ struct Tried {
 
 /// Equations of one cable, as the loop of all searches sees them.
 struct Newton<'a, 's> {
-    search: &'a mut Search<'s>,
+    search: &'a mut CableSearch<'s>,
     known: CableInput,
     at: Tried,
     trial: Tried,
@@ -90,15 +90,15 @@ impl solve::Problem for Newton<'_, '_> {
     }
 }
 
-impl Search<'_> {
-    fn tried(&mut self, state: State<f64>, known: CableInput) -> Tried {
+impl CableSearch<'_> {
+    fn tried(&mut self, state: SpanState<f64>, known: CableInput) -> Tried {
         self.steps += 1;
         let evaluation = self.law.evaluate(self.shape, &state, self.chord.side);
         let gap = self.gap(&evaluation, &state, known);
         Tried { state, evaluation, gap, size: self.size(&gap, known) }
     }
 
-    fn gap(&self, evaluation: &Evaluation, state: &State<f64>, known: CableInput) -> [f64; 4] {
+    fn gap(&self, evaluation: &Evaluation, state: &SpanState<f64>, known: CableInput) -> [f64; 4] {
         let [x, y, z] = sub(evaluation.end, self.platform_anchor);
         let last = match known {
             CableInput::ControlledLength(length) => evaluation.controlled_length - length,
@@ -110,7 +110,7 @@ impl Search<'_> {
     }
 
     /// The tension at the end where it is known (N).
-    pub(super) fn known_tension(&self, state: &State<f64>, known: CableInput) -> f64 {
+    pub(super) fn known_tension(&self, state: &SpanState<f64>, known: CableInput) -> f64 {
         let force = match known {
             CableInput::PlatformTension(_) => sub(state.force, scale(state.length, self.law.weight)),
             _ => state.force,
@@ -119,7 +119,7 @@ impl Search<'_> {
     }
 
     /// Rows of the equations by the state.
-    fn rows(&self, evaluation: &Evaluation, state: &State<f64>, known: CableInput) -> Matrix4 {
+    fn rows(&self, evaluation: &Evaluation, state: &SpanState<f64>, known: CableInput) -> Matrix4 {
         let mut rows = evaluation.by_state;
         let unit = |force: [f64; 3]| scale(1.0 / dot(force, force).sqrt(), force);
         match known {
@@ -148,7 +148,7 @@ impl Search<'_> {
     }
 
     /// The state at which nothing is left open, sought from one nearby; where there is none, the size of the gap that stays (m).
-    pub(super) fn newton(&mut self, known: CableInput, start: State<f64>) -> Result<State<f64>, f64> {
+    pub(super) fn newton(&mut self, known: CableInput, start: SpanState<f64>) -> Result<SpanState<f64>, f64> {
         let most = MAX_STEPS.min(self.steps + MAX_NEWTON_STEPS);
         let rules = Rules {
             tolerance: TOLERANCE,
@@ -167,8 +167,8 @@ impl Search<'_> {
     }
 }
 
-fn moved(state: &State<f64>, step: &[f64; 4], step_fraction: f64) -> State<f64> {
-    State {
+fn moved(state: &SpanState<f64>, step: &[f64; 4], step_fraction: f64) -> SpanState<f64> {
+    SpanState {
         force: [0, 1, 2].map(|k| state.force[k] + step_fraction * step[k]),
         length: state.length + step_fraction * step[3],
     }

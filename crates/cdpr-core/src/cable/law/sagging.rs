@@ -6,7 +6,7 @@ use num_traits::Float as _;
 use super::CableLaw;
 use super::matrix4::Matrix4;
 use crate::cable::outlet::bent::{self, Outlet, Pulley};
-use crate::cable::span::{Change, Shape, State};
+use crate::cable::span::{Change, Shape, SpanState};
 use crate::scalar::{add, dot, scale, sub};
 
 /// A state put into the equations.
@@ -38,7 +38,7 @@ impl CableLaw {
     }
 
     /// Tension, direction, outlet and strain at the frame's end in a state; the cable leaves on `side` of the swivel axis.
-    pub(super) fn frame_end(&self, state: &State<f64>, side: f64) -> FrameEnd {
+    pub(super) fn frame_end(&self, state: &SpanState<f64>, side: f64) -> FrameEnd {
         let tension = dot(state.force, state.force).sqrt();
         let direction = scale(1.0 / tension, state.force);
         let outlet = self.bent_pulley(side).map(|pulley| (pulley, bent::outlet(&pulley, direction)));
@@ -49,7 +49,7 @@ impl CableLaw {
     }
 
     /// The equations at a state; `side` as in [`Self::frame_end`].
-    pub(super) fn evaluate(&self, shape: Shape, state: &State<f64>, side: f64) -> Evaluation {
+    pub(super) fn evaluate(&self, shape: Shape, state: &SpanState<f64>, side: f64) -> Evaluation {
         let frame = self.frame_end(state, side);
         let (contact, wrap_angle) =
             frame.outlet.map_or(([0.0; 3], 0.0), |(_, outlet)| (outlet.contact, outlet.wrap_angle));

@@ -6,7 +6,7 @@ use num_traits::Float as _;
 use super::CableLaw;
 use super::sagging::Evaluation;
 use crate::cable::path::CablePath;
-use crate::cable::span::{Shape, State};
+use crate::cable::span::{Shape, SpanState};
 use crate::cable::state::{CableInput, CableState, CableStateError};
 use crate::cable::wrench::CableEnd;
 use crate::scalar::{add, dot, scale, sub};
@@ -46,11 +46,11 @@ impl CableLaw {
         path: &CablePath<f64>,
         end: &CableEnd<f64>,
         known: CableInput,
-        guess: Option<State<f64>>,
+        guess: Option<SpanState<f64>>,
     ) -> Result<CableState, CableStateError> {
         let chord = Self::chord(path)?;
         self.refuse_impossible(&chord, known)?;
-        let mut search = Search { law: self, shape, platform_anchor: end.anchor, chord, steps: 0 };
+        let mut search = CableSearch { law: self, shape, platform_anchor: end.anchor, chord, steps: 0 };
         let first = guess.unwrap_or_else(|| search.start(known));
         let found = match search.newton(known, first) {
             Err(_) if guess.is_some() => search.newton(known, search.start(known)),
@@ -80,7 +80,7 @@ impl CableLaw {
     }
 
     /// Everything that follows from a state that obeys the equations.
-    pub(super) fn state_of(&self, state: &State<f64>, evaluation: &Evaluation, end: &CableEnd<f64>) -> CableState {
+    pub(super) fn state_of(&self, state: &SpanState<f64>, evaluation: &Evaluation, end: &CableEnd<f64>) -> CableState {
         let tension = dot(state.force, state.force).sqrt();
         let t = scale(1.0 / tension, state.force);
         let platform_tension = dot(evaluation.end_force, evaluation.end_force).sqrt();
@@ -125,7 +125,7 @@ impl CableLaw {
     }
 
     /// Strained length from the frame anchor: the wrapped part, and the free one at its mean strain (m).
-    fn strained_length(&self, state: &State<f64>, evaluation: &Evaluation) -> f64 {
+    fn strained_length(&self, state: &SpanState<f64>, evaluation: &Evaluation) -> f64 {
         let middle = sub(state.force, scale(0.5 * state.length, self.weight));
         let (strain, _) = self.stretch.strain(dot(middle, middle).sqrt());
         let wrapped = self.outlet.pulley().map_or(0.0, |(_, radius)| radius * evaluation.wrap_angle);
@@ -134,7 +134,7 @@ impl CableLaw {
 }
 
 /// One cable, its end, and the straight line between.
-pub(super) struct Search<'a> {
+pub(super) struct CableSearch<'a> {
     pub(super) law: &'a CableLaw,
     pub(super) shape: Shape,
     pub(super) platform_anchor: [f64; 3],
@@ -143,13 +143,13 @@ pub(super) struct Search<'a> {
     pub(super) steps: u32,
 }
 
-impl Search<'_> {
+impl CableSearch<'_> {
     fn not_found(&self, gap: f64) -> CableStateError {
         CableStateError::NotConverged { iterations: self.steps, gap }
     }
 
     /// A state near the one sought.
-    fn start(&self, known: CableInput) -> State<f64> {
+    fn start(&self, known: CableInput) -> SpanState<f64> {
         match known {
             CableInput::OutletTension(tension) => self.taut(tension, 0.5),
             CableInput::PlatformTension(tension) => self.taut(tension, -0.5),
@@ -159,7 +159,7 @@ impl Search<'_> {
 
     /// A taut cable as a parabola: its force turns evenly about that in the middle, which points along the chord; the given
     /// tension acts at the share `end` of the length before the middle.
-    fn taut(&self, tension: f64, end: f64) -> State<f64> {
+    fn taut(&self, tension: f64, end: f64) -> SpanState<f64> {
         let length = self.chord.free_length / (1.0 + self.law.stretch.strain(tension).0);
         let half = scale(end * length, self.law.weight);
         let along = dot(self.chord.away, half);
@@ -167,11 +167,11 @@ impl Search<'_> {
         let middle = if square > 0.0 { square.sqrt() - along } else { 0.0 };
         let middle = middle.max(0.1 * tension);
         let force = add(scale(middle, self.chord.away), scale(0.5 * length, self.law.weight));
-        State { force, length }
+        SpanState { force, length }
     }
 
     /// A cable of given length: from taut by stretch to slack by the catenary of that length.
-    fn of_length(&self, controlled_length: f64) -> State<f64> {
+    fn of_length(&self, controlled_length: f64) -> SpanState<f64> {
         let law = self.law;
         let chord = &self.chord;
         let free = (controlled_length - (chord.length - chord.free_length)).max(0.05 * chord.free_length);
@@ -194,7 +194,7 @@ impl Search<'_> {
         let mut tension = f64::max(lateral, total_weight);
         if tension == 0.0 {
             tension = f64::max((chord.free_length - free) / compliance.max(1e-12), 1e-3);
-            return State { force: scale(tension, chord.away), length: free };
+            return SpanState { force: scale(tension, chord.away), length: free };
         }
         for _ in 0..60 {
             if stretch(tension) > 0.0 {
@@ -211,7 +211,7 @@ impl Search<'_> {
                 if stretch(middle) > 0.0 { high = middle } else { low = middle }
             }
             let force = add(scale(high, chord.away), scale(0.5 * free, law.weight));
-            return State { force, length: free };
+            return SpanState { force, length: free };
         }
         // slack: λ of the inextensible catenary (Jayaraman and Knudson 1981)
         let vertical = f64::min((free * free - drop * drop) / (width * width).max(1e-12), 1e8);
@@ -219,18 +219,18 @@ impl Search<'_> {
         let horizontal = weight * width / (2.0 * lambda);
         let hold = 0.5 * weight * (free + drop * (1.0 / lambda.tanh()));
         let direction = if width > 0.0 { scale(1.0 / width, across) } else { [0.0; 3] };
-        State { force: add(scale(horizontal.max(1e-9 * total_weight), direction), scale(hold, unit)), length: free }
+        SpanState { force: add(scale(horizontal.max(1e-9 * total_weight), direction), scale(hold, unit)), length: free }
     }
 
     /// The tension of a length at the end where it is known (N), and its state; `None` where no shape was found.
-    fn of_known_length(&mut self, length: f64, known: CableInput) -> Option<(f64, State<f64>)> {
+    fn of_known_length(&mut self, length: f64, known: CableInput) -> Option<(f64, SpanState<f64>)> {
         let state = self.newton(CableInput::ControlledLength(length), self.of_length(length)).ok()?;
         Some((self.known_tension(&state, known), state))
     }
 
     /// Tension by length, which is found for every length: the taut length of a tension by bisection, or the least tension.
     /// `gap` is what Newton's method left (m).
-    fn by_length(&mut self, known: CableInput, gap: f64) -> Result<State<f64>, CableStateError> {
+    fn by_length(&mut self, known: CableInput, gap: f64) -> Result<SpanState<f64>, CableStateError> {
         let (CableInput::OutletTension(wanted) | CableInput::PlatformTension(wanted)) = known else {
             return Err(self.not_found(gap));
         };

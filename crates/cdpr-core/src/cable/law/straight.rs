@@ -135,7 +135,7 @@ fn straight(
         end: *end,
         recording,
         is_given_at_platform: false,
-        span: span::State { force: scale(-tension, u), length: path.free_length * length.by_length },
+        span: span::SpanState { force: scale(-tension, u), length: path.free_length * length.by_length },
         controlled_length: length.value,
         pull: scale(tension, u),
         direction: u,

@@ -137,7 +137,7 @@ fn forces_and_moments_of_the_span_balance() {
         assert!(dot(total, total).sqrt() < 1e-9, "{total:?}");
         // moment of the weight: ∫ r × p ds by Gauss panels over the shape of a shorter cable with the same force
         let moment = integral(length, |s| {
-            let part = State { force: state.force, length: s };
+            let part = SpanState { force: state.force, length: s };
             cross(Shape::Catenary.vector(&part, law.weight, &law.stretch), law.weight)
         });
         let end = sub(anchor, *law.outlet.frame_anchor());
@@ -382,8 +382,8 @@ fn equations_agree_with_dual_numbers() {
     for shape in shapes() {
         let law = steel(shape, true);
         let (&axis, &radius) = law.outlet.pulley().unwrap();
-        let state = State { force: [300.0, -150.0, -420.0], length: 7.3 };
-        let dual_state = State { force: vector(state.force, 0), length: variable(state.length, 3) };
+        let state = SpanState { force: [300.0, -150.0, -420.0], length: 7.3 };
+        let dual_state = SpanState { force: vector(state.force, 0), length: variable(state.length, 3) };
         let weight = vector(law.weight, 4);
         let tension = dot(dual_state.force, dual_state.force).sqrt();
         let radius_dual = variable(radius, 7);

@@ -12,11 +12,11 @@
 use num_traits::Float as _;
 
 use super::stretched::{along_chord, along_chord_derivative};
-use super::{Change, State};
+use super::{Change, SpanState};
 use crate::cable::stretch::Stretch;
 use crate::scalar::{Smooth, add, dot, scale, sub};
 
-pub(super) fn vector<T: Smooth>(state: &State<T>, weight: [T; 3], stretch: &Stretch) -> [T; 3] {
+pub(super) fn vector<T: Smooth>(state: &SpanState<T>, weight: [T; 3], stretch: &Stretch) -> [T; 3] {
     let (force, length) = (state.force, state.length);
     let parts = Parts::new(force, length, weight);
     let psi_value = psi(parts.y.value());
@@ -29,7 +29,7 @@ pub(super) fn vector<T: Smooth>(state: &State<T>, weight: [T; 3], stretch: &Stre
 /// S and its derivatives along changes of state and weight, with everything they share computed once.
 #[inline]
 pub(super) fn with_derivatives<const N: usize>(
-    state: &State<f64>,
+    state: &SpanState<f64>,
     weight: [f64; 3],
     stretch: &Stretch,
     changes: &[Change; N],
@@ -48,7 +48,7 @@ pub(super) fn with_derivatives<const N: usize>(
 
 /// A span with everything that its derivatives share.
 struct Hanging<'a> {
-    state: &'a State<f64>,
+    state: &'a SpanState<f64>,
     weight: [f64; 3],
     parts: Parts<f64>,
     /// ψ and its slope.

@@ -8,7 +8,7 @@
 use num_traits::Float as _;
 
 use super::stretched::{Node, at, node_derivative};
-use super::{Change, State};
+use super::{Change, SpanState};
 use crate::cable::stretch::Stretch;
 use crate::scalar::{Smooth, add, dot, scale};
 
@@ -18,7 +18,7 @@ pub(super) fn node(element: usize, count: usize) -> Node {
     Node { at: (element as f64 + 0.5) * fraction, weight: fraction }
 }
 
-pub(super) fn vector<T: Smooth>(state: &State<T>, weight: [T; 3], stretch: &Stretch, count: usize) -> [T; 3] {
+pub(super) fn vector<T: Smooth>(state: &SpanState<T>, weight: [T; 3], stretch: &Stretch, count: usize) -> [T; 3] {
     let (force, length) = (state.force, state.length);
     let mut sum = [length.constant(0.0); 3];
     for element in 0..count {
@@ -34,7 +34,7 @@ pub(super) fn vector<T: Smooth>(state: &State<T>, weight: [T; 3], stretch: &Stre
 
 /// S and its derivatives along changes of state and weight, each element looked at once.
 pub(super) fn with_derivatives<const N: usize>(
-    state: &State<f64>,
+    state: &SpanState<f64>,
     weight: [f64; 3],
     stretch: &Stretch,
     count: usize,

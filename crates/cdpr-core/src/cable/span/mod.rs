@@ -15,7 +15,7 @@ mod finite_elements;
 mod state;
 mod stretched;
 
-pub use state::{Change, State};
+pub use state::{Change, SpanState};
 
 use super::stretch::Stretch;
 use crate::scalar::Smooth;
@@ -32,7 +32,7 @@ pub enum Shape {
 impl Shape {
     /// S for weight p per unstrained length (N/m).
     #[inline]
-    pub fn vector<T: Smooth>(self, state: &State<T>, weight: [T; 3], stretch: &Stretch) -> [T; 3] {
+    pub fn vector<T: Smooth>(self, state: &SpanState<T>, weight: [T; 3], stretch: &Stretch) -> [T; 3] {
         match self {
             Self::Catenary => catenary::vector(state, weight, stretch),
             Self::FiniteElements(count) => finite_elements::vector(state, weight, stretch, count),
@@ -43,7 +43,7 @@ impl Shape {
     #[inline]
     pub fn with_derivatives<const N: usize>(
         self,
-        state: &State<f64>,
+        state: &SpanState<f64>,
         weight: [f64; 3],
         stretch: &Stretch,
         changes: &[Change; N],
@@ -55,7 +55,13 @@ impl Shape {
     }
 
     /// ∂S/∂p at a fixed state by a number of the law of stretch, counted from 0.
-    pub fn by_stretch_number(self, state: &State<f64>, weight: [f64; 3], stretch: &Stretch, number: usize) -> [f64; 3] {
+    pub fn by_stretch_number(
+        self,
+        state: &SpanState<f64>,
+        weight: [f64; 3],
+        stretch: &Stretch,
+        number: usize,
+    ) -> [f64; 3] {
         let change = |tension| stretch.strain_by_number(tension, number);
         match self {
             Self::Catenary => stretched::by_number(stretched::nodes(stretch).iter().copied(), state, weight, change),

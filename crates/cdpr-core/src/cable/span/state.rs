@@ -2,7 +2,7 @@
 
 /// State of a span: the force at the outlet and the unstrained length.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub struct State<T> {
+pub struct SpanState<T> {
     /// F, with which the span pulls at its outlet (world, N).
     pub force: [T; 3],
     /// L (m).

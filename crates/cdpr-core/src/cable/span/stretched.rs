@@ -3,7 +3,7 @@
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
-use super::{Change, State};
+use super::{Change, SpanState};
 use crate::cable::stretch::Stretch;
 use crate::scalar::{Smooth, add, dot, scale, sub};
 
@@ -48,7 +48,7 @@ pub(super) fn along_chord<T: Smooth>(force: [T; 3], length: T, weight: [T; 3], s
 
 /// Derivative of [`along_chord`].
 pub(super) fn along_chord_derivative(
-    state: &State<f64>,
+    state: &SpanState<f64>,
     weight: [f64; 3],
     stretch: &Stretch,
     change: &Change,
@@ -66,7 +66,7 @@ pub(super) fn along_chord_derivative(
 /// ∫ e(|τ|) τ/|τ| ds at these nodes, with e the change of the strain at a tension.
 pub(super) fn by_number(
     nodes: impl Iterator<Item = Node>,
-    state: &State<f64>,
+    state: &SpanState<f64>,
     weight: [f64; 3],
     strain_change: impl Fn(f64) -> f64,
 ) -> [f64; 3] {
@@ -80,7 +80,7 @@ pub(super) fn by_number(
 /// Derivative of w L c(|τ|) τ for c with this value and slope.
 #[inline]
 pub(super) fn node_derivative(
-    state: &State<f64>,
+    state: &SpanState<f64>,
     weight: [f64; 3],
     node: &Node,
     change: &Change,

@@ -15,16 +15,16 @@ const LAYER_LIMIT: usize = 16;
 pub(super) struct Layer {
     pub(super) turns: Turns<f64>,
     /// End at φ = 0: the full end of the first layer, the empty end of those above, at which the layer below is full.
-    start: State,
+    start: DrumFill,
     /// End at φ = the whole groove: the empty end of the first layer, the full end of those above.
-    end: State,
+    end: DrumFill,
     is_first: bool,
     mounting: Option<Mounting>,
 }
 
 /// Drum angle and controlled length at one end of a layer, with derivatives.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) struct State {
+pub(super) struct DrumFill {
     /// Drum angle (rad).
     pub(super) angle: f64,
     angle_by_pitch: f64,
@@ -40,7 +40,7 @@ pub(super) struct State {
 
 /// The first layer, and those above it that the drum has room for.
 pub(super) fn layers(drum: &Parameters) -> Vec<Layer> {
-    let start = State {
+    let start = DrumFill {
         angle: drum.start_angle,
         angle_by_pitch: 0.0,
         length: drum.start_length,
@@ -67,7 +67,7 @@ pub(super) fn layers(drum: &Parameters) -> Vec<Layer> {
 
 impl Layer {
     /// Layer `number`, counted from 0, from where its φ is zero.
-    fn new(drum: &Parameters, number: usize, start: State) -> Self {
+    fn new(drum: &Parameters, number: usize, start: DrumFill) -> Self {
         let is_first = number == 0;
         let radius = drum.radius + number as f64 * drum.layer_height.unwrap_or(0.0);
         // layers run back and forth: as they are paid out, the first and every second one move along the axis
@@ -87,14 +87,14 @@ impl Layer {
     }
 
     /// The other end of the layer, a turn φ = ±2π G/p away.
-    fn end_after(&self, turn: f64, pitch: f64) -> State {
+    fn end_after(&self, turn: f64, pitch: f64) -> DrumFill {
         if !turn.is_finite() {
-            return State { angle: turn, length: turn, ..self.start };
+            return DrumFill { angle: turn, length: turn, ..self.start };
         }
         let angle = self.start.angle + turn;
         let at_fixed_angle = self.gradient(angle);
         let angle_by_pitch = self.start.angle_by_pitch - turn / pitch;
-        State {
+        DrumFill {
             angle,
             angle_by_pitch,
             length: at_fixed_angle.value,
@@ -108,18 +108,18 @@ impl Layer {
 
     /// End at which the layer is full of cable: its least angle and length.
     #[inline]
-    pub(super) fn full(&self) -> State {
+    pub(super) fn full(&self) -> DrumFill {
         match self.is_first && self.end.angle.is_finite() && self.turns.build_up == 0.0 {
             true => self.start,
             // without ends, or on a spool, the first layer reaches as far as it is asked to
-            false if self.is_first => State { angle: f64::NEG_INFINITY, length: f64::NEG_INFINITY, ..self.start },
+            false if self.is_first => DrumFill { angle: f64::NEG_INFINITY, length: f64::NEG_INFINITY, ..self.start },
             false => self.end,
         }
     }
 
     /// End at which the layer is empty: its largest angle and length.
     #[inline]
-    pub(super) fn empty(&self) -> State {
+    pub(super) fn empty(&self) -> DrumFill {
         if self.is_first { self.end } else { self.start }
     }
 

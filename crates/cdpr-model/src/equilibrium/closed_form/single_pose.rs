@@ -23,7 +23,7 @@ pub(in crate::equilibrium) struct OnePose<'a> {
 }
 
 /// Tensions in closed form at one pose.
-pub(in crate::equilibrium) struct Found {
+pub(in crate::equilibrium) struct ClosedFormTensions {
     /// Tension per cable (N).
     pub(in crate::equilibrium) tensions: [f64; LANES],
     /// Aᵀ f + w in the pattern's rows (N, N·m).
@@ -34,10 +34,10 @@ pub(in crate::equilibrium) struct Found {
 
 impl Kernel for OnePose<'_> {
     /// `None` leaves it to the general way: a cable may have no path, rows may depend on each other, numbers may not be finite.
-    type Output = Option<Found>;
+    type Output = Option<ClosedFormTensions>;
 
     #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> Option<Found> {
+    fn run<L: Lanes>(self, lanes: L) -> Option<ClosedFormTensions> {
         let (zero, middle) = (lanes.constant(0.0), lanes.load(self.middle));
         let (rows, needs_scalar) = self.rows(lanes);
         let residual = plus(self.wrench, over_cables(&rows, middle));
@@ -56,7 +56,7 @@ impl Kernel for OnePose<'_> {
         let sizes = plus(self.wrench.map(f64::abs), sums(&amounts));
         let is_sure =
             normal.has_rank == 1.0 && !lanes.any(zero.is_less(needs_scalar)) && sizes.iter().sum::<f64>() < LARGEST;
-        is_sure.then(|| Found { tensions: tensions.to_array(), residual, sizes })
+        is_sure.then(|| ClosedFormTensions { tensions: tensions.to_array(), residual, sizes })
     }
 }
 

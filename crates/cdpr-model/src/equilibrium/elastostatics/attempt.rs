@@ -1,13 +1,13 @@
 //! Result of one start.
 
-use super::descent::{End, Stop};
+use super::descent::{EquilibriumEnd, Stop};
 use super::problem::Problem;
 use crate::statics::Stability;
 
 /// Result of one start.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Attempt {
-    pub(super) end: End,
+    pub(super) end: EquilibriumEnd,
     /// Smallest eigenvalue of the stiffness (N/m).
     pub(super) stability: f64,
     /// Largest excess of a rigid cable over its controlled length (m).

@@ -12,7 +12,7 @@ use super::straight_machine::{FIRST_COMPLIANCE, straight_model};
 use super::verdict::INDIFFERENT;
 use super::{InputError, Load, Model, Settings, Solution, Status};
 use crate::cable::law::CableLaw;
-use crate::cable::span::State;
+use crate::cable::span::SpanState;
 use crate::cable::stretch::Stretch;
 use crate::cable::stretch::hysteresis::Memory;
 use crate::cable::{CableInput, CableState, CableStateError};
@@ -33,8 +33,8 @@ const LONGEST_STEP: f64 = 0.1;
 #[derive(Clone, Debug)]
 pub(super) struct Composed {
     laws: Vec<CableLaw>,
-    states: Vec<Option<State<f64>>>,
-    trial_states: Vec<Option<State<f64>>>,
+    states: Vec<Option<SpanState<f64>>>,
+    trial_states: Vec<Option<SpanState<f64>>>,
     accepted: Vec<CableState>,
     trial: Vec<CableState>,
     /// Sagging cables without any stretch.

@@ -20,7 +20,7 @@ pub(super) struct Tensions {
 
 /// End of one descent.
 #[derive(Clone, Copy, Debug)]
-pub(super) struct End {
+pub(super) struct EquilibriumEnd {
     pub(super) pose: Pose,
     /// Aᵀ f + w (N, N·m).
     pub(super) residual: [f64; 6],
@@ -39,17 +39,17 @@ impl Tensions {
 
 impl Problem<'_> {
     /// Descends from one start.
-    pub(super) fn descend(&self, start: &Pose, tensions: &mut Tensions) -> End {
+    pub(super) fn descend(&self, start: &Pose, tensions: &mut Tensions) -> EquilibriumEnd {
         match self.model.dof() {
-            2 => dispatch_narrow(Search::<2> { problem: self, start, tensions }),
-            3 => dispatch_narrow(Search::<3> { problem: self, start, tensions }),
-            _ => dispatch_narrow(Search::<6> { problem: self, start, tensions }),
+            2 => dispatch_narrow(EquilibriumDescent::<2> { problem: self, start, tensions }),
+            3 => dispatch_narrow(EquilibriumDescent::<3> { problem: self, start, tensions }),
+            _ => dispatch_narrow(EquilibriumDescent::<6> { problem: self, start, tensions }),
         }
     }
 }
 
 /// The descent as a kernel over lanes of cables, for N degrees of freedom.
-pub(super) struct Search<'a, const N: usize> {
+pub(super) struct EquilibriumDescent<'a, const N: usize> {
     pub(super) problem: &'a Problem<'a>,
     pub(super) start: &'a Pose,
     pub(super) tensions: &'a mut Tensions,
@@ -66,11 +66,11 @@ struct Point<const N: usize> {
     residual: [f64; 6],
 }
 
-impl<const N: usize> Kernel for Search<'_, N> {
-    type Output = End;
+impl<const N: usize> Kernel for EquilibriumDescent<'_, N> {
+    type Output = EquilibriumEnd;
 
     #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> End {
+    fn run<L: Lanes>(self, lanes: L) -> EquilibriumEnd {
         let Self { problem, start, tensions } = self;
         let tolerance = problem.settings.pose_tolerance * problem.mean_length.max(1.0);
         let max_iterations = problem.settings.max_iterations;
@@ -89,7 +89,7 @@ impl<const N: usize> Kernel for Search<'_, N> {
             stiffness[row][..N].copy_from_slice(&descent.points[descent.stiffness].matrix[row]);
         }
         let (residual, iterations) = (descent.points[here].residual, ended.iterations as u32);
-        End { pose: descent.pose, residual, stiffness, iterations, stop: ended.stop() }
+        EquilibriumEnd { pose: descent.pose, residual, stiffness, iterations, stop: ended.stop() }
     }
 }
 

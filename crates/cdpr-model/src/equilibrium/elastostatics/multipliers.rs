@@ -70,8 +70,8 @@ pub(super) fn attempt(
         for cable in rigid.cables() {
             let (group, lane) = (cable / LANES, cable % LANES);
             springs[group].stiffness[lane] *= stiffer;
-            let rest = rigid.lengths[cable] - tensions.accepted[group][lane] / springs[group].stiffness[lane];
-            springs[group].rest_length[lane] = rest;
+            let rest_length = rigid.lengths[cable] - tensions.accepted[group][lane] / springs[group].stiffness[lane];
+            springs[group].rest_length[lane] = rest_length;
         }
         stiffening *= stiffer;
         (pose, last_excess) = (end.pose, excess);

@@ -6,7 +6,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::descent::End;
+use super::descent::EquilibriumEnd;
 use super::problem::Problem;
 use super::rigid::Rigid;
 use crate::geometry::{Pose, Twist};
@@ -69,7 +69,12 @@ impl solve::Problem for Polish<'_, '_> {
 impl Problem<'_> {
     /// Steps on pose and tensions from a pose near the solution; `None` if they do not lead there or change which
     /// cables are taut.
-    pub(super) fn polished(&self, rigid: &Rigid<'_>, end: &End, tensions: &[f64]) -> Option<(End, Vec<f64>)> {
+    pub(super) fn polished(
+        &self,
+        rigid: &Rigid<'_>,
+        end: &EquilibriumEnd,
+        tensions: &[f64],
+    ) -> Option<(EquilibriumEnd, Vec<f64>)> {
         let load = self.full_load;
         let taut: Vec<usize> = rigid.cables().filter(|&cable| tensions[cable] > 0.0).collect();
         let start = self.state(rigid, load, &taut, end.pose, tensions.to_vec())?;
@@ -93,7 +98,7 @@ impl Problem<'_> {
             return None;
         }
         let stiffness = self.stiffness(rigid, load, &state)?;
-        let mut end = End { pose: state.pose, residual: [0.0; 6], ..*end };
+        let mut end = EquilibriumEnd { pose: state.pose, residual: [0.0; 6], ..*end };
         for (i, direction) in self.model.twist_basis().iter().enumerate() {
             for k in 0..6 {
                 end.residual[k] += direction[k] * state.residual[i];

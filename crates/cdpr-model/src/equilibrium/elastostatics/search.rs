@@ -1,7 +1,7 @@
 //! From one start to an end, and from several starts to the best of their ends.
 
 use super::attempt::Attempt;
-use super::descent::{End, Stop, Tensions};
+use super::descent::{EquilibriumEnd, Stop, Tensions};
 use super::multipliers;
 use super::rigid::Rigid;
 use super::springs::Springs;
@@ -74,10 +74,10 @@ impl Problem<'_> {
         self.attempt(end, iterations, tensions)
     }
 
-    pub(super) fn attempt(&self, end: End, iterations: u32, tensions: &Tensions) -> Attempt {
+    pub(super) fn attempt(&self, end: EquilibriumEnd, iterations: u32, tensions: &Tensions) -> Attempt {
         let undecided = self.undecided(tensions);
         let stability = stability::of_cables(self, tensions, &end, undecided);
-        Attempt { end: End { iterations, ..end }, stability, excess: 0.0, undecided, pushes: false }
+        Attempt { end: EquilibriumEnd { iterations, ..end }, stability, excess: 0.0, undecided, pushes: false }
     }
 }
 

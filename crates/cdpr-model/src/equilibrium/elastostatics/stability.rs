@@ -3,7 +3,7 @@
 use nalgebra::DMatrix;
 
 use super::attempt::Attempt;
-use super::descent::{End, Stop, Tensions};
+use super::descent::{EquilibriumEnd, Stop, Tensions};
 use super::rigid::Rigid;
 use super::{Problem, Settings};
 use crate::geometry::{Pose, Twist};
@@ -38,7 +38,7 @@ fn radius(problem: &Problem<'_>, entry: usize) -> f64 {
 /// Smallest eigenvalue of the stiffness where elastic cables rest (N/m).
 ///
 /// A cable between slack and taut holds to one side only: it counts where others hold what it cannot.
-pub(super) fn of_cables(problem: &Problem<'_>, tensions: &Tensions, end: &End, undecided: f64) -> f64 {
+pub(super) fn of_cables(problem: &Problem<'_>, tensions: &Tensions, end: &EquilibriumEnd, undecided: f64) -> f64 {
     let touches = |cable: &usize| {
         let (group, lane) = (cable / LANES, cable % LANES);
         let least = problem.springs[group].rest_length[lane] - problem.settings.length_tolerance;
@@ -85,7 +85,7 @@ pub(super) fn beside_rigid_cables(
     problem: &Problem<'_>,
     rigid: &Rigid<'_>,
     tensions: &Tensions,
-    end: &End,
+    end: &EquilibriumEnd,
     is_polished: bool,
 ) -> f64 {
     let n = problem.model.dof();

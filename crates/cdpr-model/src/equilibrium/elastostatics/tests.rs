@@ -1,13 +1,13 @@
 //! Promises of the descent on every machine.
 
-use super::descent::{End, Search, Tensions};
+use super::descent::{EquilibriumDescent, EquilibriumEnd, Tensions};
 use super::*;
 use crate::geometry::Wrench;
 use crate::model::{Composition, Model};
 use crate::robot::Robot;
 use crate::scalar::{Unit, dispatch_on};
 
-fn bits(end: &End, tensions: &Tensions) -> Vec<u64> {
+fn bits(end: &EquilibriumEnd, tensions: &Tensions) -> Vec<u64> {
     let pose = end.pose.position.iter().chain(end.pose.rotation.coords.iter());
     let numbers = pose.chain(&end.residual).chain(end.stiffness.as_flattened()).chain(tensions.accepted.as_flattened());
     numbers.map(|x| x.to_bits()).chain([u64::from(end.iterations)]).collect()
@@ -42,7 +42,7 @@ fn the_descent_gives_the_same_bits_on_every_unit() {
     let start = Pose::from_xyz_angles(pose.position.add_scalar(0.06), [0.04, -0.05, 0.03]);
     let on = |unit| {
         let mut tensions = Tensions::new(1);
-        let search = Search::<6> { problem: &problem, start: &start, tensions: &mut tensions };
+        let search = EquilibriumDescent::<6> { problem: &problem, start: &start, tensions: &mut tensions };
         let end = dispatch_on(unit, search).unwrap();
         bits(&end, &tensions)
     };

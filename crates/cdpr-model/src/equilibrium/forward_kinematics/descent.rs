@@ -38,7 +38,7 @@ impl Residuals {
 pub(super) const SLOW_CONTRACTION: f64 = 0.1;
 
 /// End of one descent.
-pub(super) struct End {
+pub(super) struct PoseEnd {
     pub(super) pose: Pose,
     pub(super) rms: f64,
     pub(super) iterations: u32,
@@ -49,11 +49,11 @@ pub(super) struct End {
 
 impl Problem<'_> {
     /// Descends from one start.
-    pub(super) fn descend(&self, start: &Pose, residuals: &mut Residuals) -> End {
+    pub(super) fn descend(&self, start: &Pose, residuals: &mut Residuals) -> PoseEnd {
         match self.model.dof() {
-            2 => dispatch_narrow(Search::<2> { problem: self, start, residuals }),
-            3 => dispatch_narrow(Search::<3> { problem: self, start, residuals }),
-            _ => dispatch_narrow(Search::<6> { problem: self, start, residuals }),
+            2 => dispatch_narrow(PoseDescent::<2> { problem: self, start, residuals }),
+            3 => dispatch_narrow(PoseDescent::<3> { problem: self, start, residuals }),
+            _ => dispatch_narrow(PoseDescent::<6> { problem: self, start, residuals }),
         }
     }
 
@@ -65,7 +65,7 @@ impl Problem<'_> {
 }
 
 /// The descent as a kernel over lanes of cables, for N degrees of freedom.
-pub(super) struct Search<'a, const N: usize> {
+pub(super) struct PoseDescent<'a, const N: usize> {
     pub(super) problem: &'a Problem<'a>,
     pub(super) start: &'a Pose,
     pub(super) residuals: &'a mut Residuals,
@@ -81,11 +81,11 @@ struct Normal<const N: usize> {
     matrix: [[f64; N]; N],
 }
 
-impl<const N: usize> Kernel for Search<'_, N> {
-    type Output = End;
+impl<const N: usize> Kernel for PoseDescent<'_, N> {
+    type Output = PoseEnd;
 
     #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> End {
+    fn run<L: Lanes>(self, lanes: L) -> PoseEnd {
         let Self { problem, start, residuals } = self;
         let tolerance = problem.settings.pose_tolerance * problem.mean_length.max(1.0);
         let max_iterations = problem.settings.max_iterations;
@@ -107,7 +107,7 @@ impl<const N: usize> Kernel for Search<'_, N> {
         }
         let rms = (descent.normal.cost / problem.model.cable_count() as f64).sqrt();
         let rms = if stop == Stop::Degenerate { f64::NAN } else { rms };
-        End { pose: descent.pose, rms, iterations: end.iterations as u32, stop, pivot_ratio: descent.pivot_ratio }
+        PoseEnd { pose: descent.pose, rms, iterations: end.iterations as u32, stop, pivot_ratio: descent.pivot_ratio }
     }
 }
 

@@ -2,13 +2,13 @@
 
 use nalgebra::Vector3;
 
-use super::descent::{End, Problem, Residuals, Search};
+use super::descent::{PoseDescent, PoseEnd, Problem, Residuals};
 use super::*;
 use crate::model::{Composition, place_pulleys};
 use crate::robot::Robot;
 use crate::scalar::{Unit, dispatch_on};
 
-fn bits(end: &End, residuals: &Residuals) -> Vec<u64> {
+fn bits(end: &PoseEnd, residuals: &Residuals) -> Vec<u64> {
     let pose = end.pose.position.iter().chain(end.pose.rotation.coords.iter());
     let numbers = pose.chain([&end.rms, &end.pivot_ratio]).chain(residuals.accepted.as_flattened());
     numbers.map(|x| x.to_bits()).chain([u64::from(end.iterations)]).collect()
@@ -31,7 +31,7 @@ fn the_descent_gives_the_same_bits_on_every_unit() {
             Problem { model: &model, settings: &settings, targets: &targets, mean_length: 9.0, platform_radius };
         let on = |unit| {
             let mut residuals = Residuals { accepted: vec![[0.0; LANES]], trial: vec![[0.0; LANES]] };
-            let search = Search::<6> { problem: &problem, start: &guess, residuals: &mut residuals };
+            let search = PoseDescent::<6> { problem: &problem, start: &guess, residuals: &mut residuals };
             let end = dispatch_on(unit, search).unwrap();
             bits(&end, &residuals)
         };

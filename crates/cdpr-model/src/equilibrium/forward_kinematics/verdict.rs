@@ -1,7 +1,7 @@
 //! Verdict on the best end of a search: status and reason in words.
 
 use super::Status;
-use super::descent::{End, Problem, Stop};
+use super::descent::{PoseEnd, Problem, Stop};
 use crate::geometry::Pose;
 
 /// Residual relative to the mean length from which on a converged answer is remarked upon.
@@ -12,13 +12,13 @@ const REGULAR: f64 = 1e-12;
 
 impl Problem<'_> {
     /// True where the lengths are met so well that no other start can do better.
-    pub(super) fn is_good(&self, end: &End) -> bool {
+    pub(super) fn is_good(&self, end: &PoseEnd) -> bool {
         end.stop == Stop::Stationary && end.rms <= self.good_residual()
     }
 
     /// True for what belongs to its start, whatever other starts lead to: a pose that is good, or one that the lengths determine
     /// as well as their errors allow.
-    pub(super) fn is_answer(&self, end: &End) -> bool {
+    pub(super) fn is_answer(&self, end: &PoseEnd) -> bool {
         let fits = !self.is_square() && end.rms <= self.settings.plausible_residual * self.mean_length;
         self.is_good(end) || (end.stop == Stop::Stationary && end.pivot_ratio >= REGULAR && fits)
     }
@@ -37,7 +37,7 @@ impl Problem<'_> {
     }
 
     /// Status and reason for the best end.
-    pub(super) fn judge(&self, end: &End, restarts: u32) -> (Status, Option<String>) {
+    pub(super) fn judge(&self, end: &PoseEnd, restarts: u32) -> (Status, Option<String>) {
         let starts = restarts + 1;
         let rms = end.rms;
         match end.stop {

@@ -2,7 +2,7 @@
 
 use nalgebra::DMatrix;
 
-use crate::equilibrium::closed_form::{Found, OnePose};
+use crate::equilibrium::closed_form::{ClosedFormTensions, OnePose};
 use crate::geometry::Pose;
 use crate::model::Model;
 use crate::scalar::{LANES, dispatch_narrow};
@@ -41,12 +41,13 @@ impl Balanced {
         let rotation = &pose.rotation_rows();
         let (cables, basis, position) = (&model.groups()[0], model.twist_basis(), pose.position.into());
         let kernel = OnePose { cables, basis, position, rotation, wrench, middle: &middle };
-        let Some(Found { tensions, residual, sizes }) = dispatch_narrow(kernel) else { return false };
+        let Some(ClosedFormTensions { tensions, residual, sizes }) = dispatch_narrow(kernel) else { return false };
         let found = &mut self.found;
         found.tensions.copy_from_slice(&tensions[..m]);
         found.wrench_residual.copy_from_slice(&residual[..n]);
         found.within_limits = limits.contain(&found.tensions, limits.tolerance());
-        found.balanced = residual.iter().zip(&sizes).all(|(rest, size)| rest.abs() <= closed_form::ROUNDING * size);
+        found.balanced =
+            residual.iter().zip(&sizes).all(|(residual, size)| residual.abs() <= closed_form::ROUNDING * size);
         found.rank = n;
         true
     }

@@ -7,7 +7,7 @@ use crate::geometry::MotionPattern;
 use crate::measurement::columns::{Quantity, meaning};
 use crate::measurement::header_mistakes;
 use crate::measurement::position_columns;
-use crate::reading::{Place, ReadError};
+use crate::reading::{ReadError, TextPlace};
 
 impl CsvFile<'_> {
     pub(super) fn error(&self, code: &'static str, message: impl Into<String>) -> ReadError {
@@ -16,7 +16,7 @@ impl CsvFile<'_> {
 
     pub(super) fn header_error(&self, code: &'static str, message: impl Into<String>) -> ReadError {
         // the line as a whole: carets under all of it would say no more
-        self.error(code, message).at(Place::on_line(self.layout.header, self.layout.header_line, 1, 1))
+        self.error(code, message).at(TextPlace::on_line(self.layout.header, self.layout.header_line, 1, 1))
     }
 
     /// An error at a field: the column counts characters of the line, as an editor does.
@@ -26,7 +26,7 @@ impl CsvFile<'_> {
         let width_of = |field: &[u8]| String::from_utf8_lossy(field).chars().count();
         let before: usize = row.record.iter().take(index).map(|field| width_of(field) + 1).sum();
         let width = row.record.get(index).map_or(1, width_of).max(1);
-        self.error(code, message).at(Place::on_line(source, row.line, before + 1, width))
+        self.error(code, message).at(TextPlace::on_line(source, row.line, before + 1, width))
     }
 
     /// An error about the numbers of a column, at its name.
@@ -36,9 +36,9 @@ impl CsvFile<'_> {
     }
 
     /// The name of a column in the header.
-    fn header_place(&self, index: usize) -> Place {
+    fn header_place(&self, index: usize) -> TextPlace {
         let (column, width) = self.layout.place_of(index);
-        Place::on_line(self.layout.header, self.layout.header_line, column, width)
+        TextPlace::on_line(self.layout.header, self.layout.header_line, column, width)
     }
 
     /// The error for a column that is not there, at the column that was probably meant to be it.
@@ -136,7 +136,7 @@ impl CsvFile<'_> {
     pub(super) fn unreadable(&self, error: &csv::Error) -> ReadError {
         let place = error.position().map(|position| {
             let line = position.line() as usize;
-            Place::on_line(self.text.lines().nth(line.saturating_sub(1)).unwrap_or_default(), line, 1, 1)
+            TextPlace::on_line(self.text.lines().nth(line.saturating_sub(1)).unwrap_or_default(), line, 1, 1)
         });
         let error = self.error("csv::unreadable", error.to_string());
         place.map_or(error.clone(), |place| error.at(place))

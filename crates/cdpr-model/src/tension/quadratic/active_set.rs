@@ -6,7 +6,7 @@
 //! against an active one, the multipliers prove that no tensions keep these limits.
 
 use super::block::{Block, add_scaled, dot, fill, rotate};
-use super::bound::{Bound, End};
+use super::bound::{Bound, BoundEnd};
 use super::plane::{DEPENDENT, NO_WEIGHT, Plane, SMALL, ZERO};
 use crate::scalar::{LANES, dispatch_narrow};
 use crate::tension::Limits;
@@ -64,7 +64,7 @@ impl ActiveSet {
 
 impl ActiveSet {
     /// The nearest point to `reference`; `basis` holds the null space and after it a solution, as `Balance` writes them.
-    pub(super) fn search(&mut self, dimension: usize, limits: &Limits, reference: Option<&[f64]>) -> End {
+    pub(super) fn search(&mut self, dimension: usize, limits: &Limits, reference: Option<&[f64]>) -> BoundEnd {
         if self.blocks == 1 && (1..=2).contains(&dimension) {
             return self.search_plane(dimension, limits, reference);
         }
@@ -78,7 +78,7 @@ impl ActiveSet {
                     None => {}
                     Some(end) => return end,
                 },
-                None if refined || self.active_limits_are_met(limits, tolerance) => return End::Optimum,
+                None if refined || self.active_limits_are_met(limits, tolerance) => return BoundEnd::Optimum,
                 None => {
                     self.start(reference);
                     self.resume(limits);
@@ -89,7 +89,7 @@ impl ActiveSet {
     }
 
     /// The same for one or two more cables than degrees of freedom.
-    fn search_plane(&mut self, dimension: usize, limits: &Limits, reference: Option<&[f64]>) -> End {
+    fn search_plane(&mut self, dimension: usize, limits: &Limits, reference: Option<&[f64]>) -> BoundEnd {
         self.dimension = dimension;
         self.write_limits(limits);
         self.write_reference(reference);
@@ -230,13 +230,13 @@ impl ActiveSet {
     }
 
     /// Moves to the nearest point that meets this limit too, exchanging active ones where they are in the way.
-    fn add(&mut self, bound: Bound, limits: &Limits) -> Option<End> {
+    fn add(&mut self, bound: Bound, limits: &Limits) -> Option<BoundEnd> {
         let (block, lane) = (bound.cable / LANES, bound.cable % LANES);
         let mut multiplier = 0.0;
         loop {
             self.iterations += 1;
             if self.iterations > 100 + 20 * self.cable_count as u32 {
-                return Some(End::TooLong);
+                return Some(BoundEnd::TooLong);
             }
             let free = self.look_along(bound);
             let missed = bound.missed(self.point[block][lane], limits).max(0.0);
@@ -247,7 +247,7 @@ impl ActiveSet {
             let length = whole.min(part);
             if length.is_infinite() {
                 // nothing makes room, or what would has overflowed
-                return Some(if blocking.is_none() { End::Contradiction(bound) } else { End::TooLong });
+                return Some(if blocking.is_none() { BoundEnd::Contradiction(bound) } else { BoundEnd::TooLong });
             }
             add_scaled(&mut self.point, length, &self.step);
             multiplier += length;

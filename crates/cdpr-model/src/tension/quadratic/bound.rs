@@ -24,7 +24,7 @@ impl Bound {
 
 /// How the search ended.
 #[derive(Clone, Copy, Debug, PartialEq)]
-pub(super) enum End {
+pub(super) enum BoundEnd {
     /// The optimum.
     Optimum,
     /// This limit contradicts active ones; the weights of the latter are in `weights`.

@@ -19,7 +19,7 @@ mod words;
 
 use active_set::ActiveSet;
 use balance::Balance;
-use bound::End;
+use bound::BoundEnd;
 pub use certificate::Certificate;
 use nalgebra::DMatrix;
 use serde::Serialize;
@@ -144,9 +144,9 @@ impl Solver {
                 Status::Infeasible
             }
             None => match self.search.search(dimension, limits, reference) {
-                End::Optimum => Status::Feasible,
-                End::TooLong => Status::Undecided,
-                End::Contradiction(bound) => {
+                BoundEnd::Optimum => Status::Feasible,
+                BoundEnd::TooLong => Status::Undecided,
+                BoundEnd::Contradiction(bound) => {
                     let combination = self.search.write_contradiction(bound);
                     self.balance.write_combination(combination, &mut certificate.direction);
                     Status::Infeasible

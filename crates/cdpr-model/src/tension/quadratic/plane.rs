@@ -4,7 +4,7 @@
 //! The rules are the same: the limit that is missed most is added, one whose multiplier vanishes on the way makes room.
 
 use super::block::Block;
-use super::bound::{Bound, End};
+use super::bound::{Bound, BoundEnd};
 use crate::scalar::{Kernel, LANES, Lanes};
 use crate::tension::Limits;
 
@@ -57,15 +57,15 @@ struct State<'a> {
 }
 
 impl Kernel for Plane<'_> {
-    type Output = End;
+    type Output = BoundEnd;
 
     #[inline(always)]
-    fn run<L: Lanes>(self, lanes: L) -> End {
+    fn run<L: Lanes>(self, lanes: L) -> BoundEnd {
         let none = [0.0; LANES];
         let (columns, solution) = match self.basis {
             [first, second, solution] => ([first, second], solution),
             [first, solution, ..] => ([first, &none], solution),
-            _ => return End::TooLong,
+            _ => return BoundEnd::TooLong,
         };
         let [first, second, solution] = [lanes.load(columns[0]), lanes.load(columns[1]), lanes.load(solution)];
         let reference = lanes.load(self.reference);
@@ -86,7 +86,7 @@ impl Kernel for Plane<'_> {
                         break end;
                     }
                 }
-                None if refined || state.are_met(&point, self.limits, tolerance) => break End::Optimum,
+                None if refined || state.are_met(&point, self.limits, tolerance) => break BoundEnd::Optimum,
                 None => {
                     state.meet_all(&nearest, self.limits);
                     refined = true;
@@ -184,13 +184,13 @@ impl<'a> State<'a> {
 
     /// Moves to the nearest point that meets this limit too, exchanging active ones where they are in the way.
     #[inline(always)]
-    fn add(&mut self, bound: Bound, missed: f64, limits: &Limits) -> Option<End> {
+    fn add(&mut self, bound: Bound, missed: f64, limits: &Limits) -> Option<BoundEnd> {
         let normal = self.normal(bound);
         let (mut missed, mut multiplier) = (missed.max(0.0), 0.0);
         loop {
             self.iterations += 1;
             if self.iterations > 100 + 20 * LANES as u32 {
-                return Some(End::TooLong);
+                return Some(BoundEnd::TooLong);
             }
             let step = self.free(normal);
             let free = dot(step, step);
@@ -207,7 +207,7 @@ impl<'a> State<'a> {
             let length = whole.min(part);
             if length.is_infinite() {
                 // nothing makes room, or what would has overflowed
-                return Some(if blocking.is_none() { End::Contradiction(bound) } else { End::TooLong });
+                return Some(if blocking.is_none() { BoundEnd::Contradiction(bound) } else { BoundEnd::TooLong });
             }
             self.lambda = [self.lambda[0] + length * step[0], self.lambda[1] + length * step[1]];
             missed = (missed - length * free).max(0.0);

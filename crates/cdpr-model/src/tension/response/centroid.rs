@@ -135,16 +135,16 @@ fn facet(half_spaces: &[HalfSpace], index: usize) -> Option<Moments> {
     let mut below = Vec::new();
     for (other, half_space) in half_spaces.iter().enumerate().filter(|(other, _)| *other != index) {
         let cos = half_space.normal.dot(normal);
-        let rest = half_space.offset - cos * offset;
+        let remainder = half_space.offset - cos * offset;
         let row = frame.transpose() * &half_space.normal;
         let length = row.norm();
         if length < PARALLEL {
-            let is_same = cos > 0.0 && rest.abs() <= ROUNDING;
-            if rest < -ROUNDING || (is_same && other < index) {
+            let is_same = cos > 0.0 && remainder.abs() <= ROUNDING;
+            if remainder < -ROUNDING || (is_same && other < index) {
                 return None;
             }
         } else {
-            below.push(HalfSpace { normal: row / length, offset: rest / length });
+            below.push(HalfSpace { normal: row / length, offset: remainder / length });
         }
     }
     let foot = normal * *offset;

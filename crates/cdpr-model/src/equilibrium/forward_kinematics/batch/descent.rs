@@ -7,7 +7,7 @@ use crate::equilibrium::pose_step::{Measure, accept_lines, displaced_lines, mean
 use crate::geometry::{POSE_ROWS, in_lanes};
 use crate::model::Model;
 use crate::scalar::{Kernel, LANES, Lanes, Line, Unit, cross, dispatch_on, ldl};
-use crate::solve::{self, Control, End, Rules, Step, StepRule, Stop, Trial, descend};
+use crate::solve::{self, Control, DescentEnd, Rules, Step, StepRule, Stop, Trial, descend};
 
 /// Eight problems of a robot with six degrees of freedom and six to eight cables.
 pub(super) struct Descents<'a> {
@@ -153,7 +153,7 @@ impl<L: Lanes> Eight<'_, L> {
 impl Descents<'_> {
     /// Writes the solutions; which of them are those of a good plain descent.
     #[inline(always)]
-    fn conclude<L: Lanes>(self, eight: &Eight<'_, L>, end: &End<L>) -> [bool; LANES] {
+    fn conclude<L: Lanes>(self, eight: &Eight<'_, L>, end: &DescentEnd<L>) -> [bool; LANES] {
         let (lanes, mean_length) = (eight.lanes, eight.measure.mean_length);
         let (settings, one) = (self.settings, lanes.constant(1.0));
         let rms = (eight.cost / lanes.constant(self.lengths.len() as f64)).sqrt();

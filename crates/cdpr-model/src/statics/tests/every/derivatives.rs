@@ -7,7 +7,7 @@ use super::*;
 use crate::cable::elasticity::Elasticity;
 use crate::cable::law::{Kind, LawParameter};
 use crate::cable::outlet::{Outlet, bent};
-use crate::cable::span::{Shape, State};
+use crate::cable::span::{Shape, SpanState};
 use crate::cable::stretch::Stretch;
 use crate::cable::{CablePath, CableState};
 use crate::scalar::{Real, Smooth, add, cross, dot, rotate, scale, sub};
@@ -121,7 +121,7 @@ impl Twin {
         let tension = dot(force, force).sqrt();
         let weight = constants(law.weight);
         let hidden = variable(law.hidden_length, HIDDEN);
-        let mut span = shape.vector(&State { force, length }, weight, &law.stretch);
+        let mut span = shape.vector(&SpanState { force, length }, weight, &law.stretch);
         let (strain, slope) = law.stretch.strain(tension.re);
         let mut strain = tension.chain(strain, slope);
         if let Stretch::Linear(compliance) = law.stretch {
