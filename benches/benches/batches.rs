@@ -10,7 +10,7 @@ mod clock;
 
 use std::hint::black_box;
 
-use cdpr::equilibrium::{Solutions, closed_form, elastostatics, feasibility, forward_kinematics};
+use cdpr::equilibrium::{Solutions, closed_form, distribution, elastostatics, feasibility, forward_kinematics};
 use cdpr::geometry::{Pose, PoseBatch, Twist, Wrench};
 use cdpr::model::{Composition, Model, place_pulleys};
 use cdpr::nalgebra::{UnitQuaternion, Vector3};
@@ -85,6 +85,65 @@ fn geometry(name: &str, model: &Model, goals: [f64; 2]) {
         }
     };
     report(&format!("structure matrix, {name}"), goals[1], POSES, &mut all, &mut one_matrix);
+}
+
+/// Lengths of an array of poses, as other languages hold it, against the kernel on chunks that lie side by side already.
+#[expect(clippy::print_stdout, reason = "the table is what the bench is for")]
+fn rows(name: &str, model: &Model) {
+    let poses = poses();
+    let quaternions: Vec<[f64; 7]> = poses.iter().map(Pose::numbers).collect();
+    let angles: Vec<[f64; 6]> = poses
+        .iter()
+        .map(|pose| {
+            let ([x, y, z], [i, j, k]) = (pose.position.into(), pose.xyz_angles());
+            [x, y, z, i, j, k]
+        })
+        .collect();
+    let chunk: PoseBatch = poses[..512].iter().collect();
+    let (mut table, mut filled) = (LaneTable::default(), PoseBatch::default());
+    let mut lengths = vec![0.0; 8 * POSES];
+    let mut more = lengths.clone();
+    let mut kernel = || {
+        for _ in 0..POSES / 512 {
+            model.batch_cable_lengths(black_box(&chunk), &mut table);
+        }
+    };
+    let mut of_rows = || model.lengths_of_rows(black_box(&quaternions[..]).into(), &mut lengths).expect("poses");
+    let mut of_angles = || model.lengths_of_rows(black_box(&angles[..]).into(), &mut more).expect("poses");
+    let mut fill = || {
+        for rows in quaternions.chunks(512) {
+            filled.fill_rows(black_box(rows)).expect("poses");
+        }
+    };
+    let times = times(POSES, SHORT_ROUNDS, SHORT, &mut [&mut kernel, &mut of_rows, &mut of_angles, &mut fill]);
+    println!(
+        "lengths of rows, {name:20} kernel {:.1} ns; rows of quaternions {:.1} ns, ×{:.2}, best ×{:.2} (goal ×1.3); of angles \
+         {:.1} ns, ×{:.2}; rows in alone {:.1} ns",
+        times[0].median,
+        times[1].median,
+        times[1].median / times[0].median,
+        times[1].best / times[0].best,
+        times[2].median,
+        times[2].median / times[0].median,
+        times[3].median,
+    );
+}
+
+/// Tensions by the exact method at many poses against one by one.
+fn distributions(model: &Model) {
+    let (load, limits) = load_and_limits();
+    let poses = poses();
+    let batch: PoseBatch = poses.iter().collect();
+    let mut found = distribution::Distributions::default();
+    let mut all = || {
+        distribution::solve_batch(model, &load, &limits, tension::Method::Qp, black_box(&batch), &mut found)
+            .expect("fits");
+    };
+    let mut single = distribution::Solver::new(model, &load, &limits);
+    let mut one = || {
+        poses.iter().for_each(|pose| drop(black_box(single.solve(black_box(pose))).expect("courses")));
+    };
+    report("exact tension distribution", 1000.0, POSES, &mut all, &mut one);
 }
 
 /// Guesses 0.1 m and 3° off.
@@ -272,6 +331,9 @@ fn main() {
     rayon::ThreadPoolBuilder::new().num_threads(1).build_global().expect("the first pool");
     geometry("points", &standard, [22.0, 35.0]);
     geometry("pulleys", &pulley, [60.0, 80.0]);
+    rows("points", &standard);
+    rows("pulleys", &pulley);
+    distributions(&standard);
     forward("points", &standard, 300.0);
     forward("pulleys", &pulley, 500.0);
     elastic("points", &elastic_model, 800.0);

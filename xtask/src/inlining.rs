@@ -28,6 +28,7 @@ const PLACES: &[Place] = &[
     Place { path: "crates/cdpr-model/src/equilibrium/forward_kinematics/", reason: NUMBERS },
     Place { path: "crates/cdpr-model/src/equilibrium/pose_step.rs", reason: NUMBERS },
     Place { path: "crates/cdpr-model/src/geometry/pose_batch.rs", reason: LANES },
+    Place { path: "crates/cdpr-model/src/geometry/pose_rows.rs", reason: LANES },
     Place { path: "crates/cdpr-model/src/model/batch/", reason: LANES },
     Place { path: "crates/cdpr-model/src/model/kinematics.rs", reason: COUNTED },
     Place { path: "crates/cdpr-model/src/scalar/", reason: LANES },

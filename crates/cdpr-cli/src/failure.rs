@@ -201,7 +201,7 @@ fn system_reason(error: &io::Error) -> String {
 #[cfg(test)]
 mod tests {
     use super::*;
-    use crate::explanations;
+    use cdpr_reports::explanations;
 
     #[test]
     fn remedies_are_those_of_codes_that_are_explained() {

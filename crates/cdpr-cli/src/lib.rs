@@ -8,7 +8,7 @@ mod commands;
 mod compensation_option;
 mod console;
 mod diagnostics;
-mod explanations;
+
 mod failure;
 mod files;
 mod inputs;

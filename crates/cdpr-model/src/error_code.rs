@@ -5,11 +5,13 @@ use crate::cable::winch::{DrumError, GrooveError};
 use crate::cable::{CableStateError, GeometryError};
 use crate::compensation::MapError;
 use crate::control::OperationError;
-use crate::equilibrium::{ForwardError, NoSolution, distribution, elastostatics, forward_kinematics, forward_statics};
-use crate::geometry::PatternError;
+use crate::equilibrium::{
+    ForwardError, NoSolution, RowsError, distribution, elastostatics, forward_kinematics, forward_statics,
+};
+use crate::geometry::{PatternError, PoseRowError};
 use crate::measurement::{DataError, KnownError, SplitError};
 use crate::model::{CompositionError, ModelError, ParameterError, PlacePulleysError, WinchError};
-use crate::reading::ErrorCode;
+use crate::reading::{ErrorCode, ReadError};
 use crate::robot::{BodyError, StretchError};
 use crate::statics::{LoadError, StaticsError};
 use crate::tension::LimitsError;
@@ -102,6 +104,27 @@ impl ErrorCode for PatternError {
         match self {
             Self::ComponentCount { .. } => "pose::component-count",
             Self::NotFinite { .. } => "pose::not-finite",
+        }
+    }
+}
+
+impl ErrorCode for PoseRowError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Norm { .. } => "rows::not-a-rotation",
+            Self::NotFinite { .. } => "rows::not-finite",
+            Self::Angle { .. } => "rows::angle",
+        }
+    }
+}
+
+impl ErrorCode for RowsError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Pose(error) => error.code(),
+            Self::Count { .. } => "rows::count",
+            Self::Forward(error) => error.code(),
+            Self::Tension(error) => error.code(),
         }
     }
 }
@@ -297,6 +320,13 @@ impl ErrorCode for MapError {
             Self::OtherModel { .. } => "compensation::other-model",
             Self::Outside { .. } => "compensation::outside",
             Self::Statics(error) => error.code(),
+        }
+    }
+
+    fn read_error(&self) -> Option<&ReadError> {
+        match self {
+            Self::Read(error) => Some(error),
+            _ => None,
         }
     }
 }

@@ -19,6 +19,7 @@
 //! | [`study_page`] | the page of a study: errors over its poses and the regions around them |
 //! | [`workspace_page`] | the page of a workspace, in which the platform can be dragged |
 //! | [`answers`] | results as JSON objects with units in their keys, and in words |
+//! | [`explanations`] | a page for every error code |
 //! | [`number_format`] | numbers for people |
 //! | [`table`] | tables for people, fitted to a width |
 
@@ -26,6 +27,7 @@ pub mod answers;
 pub mod comparison;
 pub mod cost_result;
 mod error_code;
+pub mod explanations;
 pub mod figures;
 pub mod firmware;
 mod html_page;

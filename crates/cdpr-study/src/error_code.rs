@@ -1,6 +1,6 @@
 //! Codes of what studies refuse.
 
-use cdpr_model::reading::ErrorCode;
+use cdpr_model::reading::{ErrorCode, ReadError};
 
 use crate::campaign::CampaignError;
 use crate::chain::ChainError;
@@ -100,6 +100,13 @@ impl ErrorCode for PointError {
             Self::Workspace(error) => error.code(),
             Self::Pulleys(error) => error.code(),
             Self::SwivelAxis | Self::NoDirection | Self::NoSwivelAxis { .. } => "pulley::radius-or-axis",
+        }
+    }
+
+    fn read_error(&self) -> Option<&ReadError> {
+        match self {
+            Self::Read(error) => Some(error),
+            _ => None,
         }
     }
 }

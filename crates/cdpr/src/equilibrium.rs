@@ -2,7 +2,8 @@
 
 #[doc(inline)]
 pub use cdpr_model::equilibrium::{
-    CableCommand, ForwardError, ForwardProblem, ForwardSettings, InverseSolution, Solution, Solutions, State, Status,
+    CableCommand, ForwardAnswers, ForwardBatch, ForwardError, ForwardProblem, ForwardRows, ForwardSettings,
+    InverseSolution, RowsError, Solution, Solutions, State, Status,
 };
 
 pub mod closed_form {
@@ -16,7 +17,9 @@ pub mod distribution {
     //! Tensions of a model at a pose.
 
     #[doc(inline)]
-    pub use cdpr_model::equilibrium::distribution::{Distribution, DistributionError, Reason, Solver, solve};
+    pub use cdpr_model::equilibrium::distribution::{
+        Distribution, DistributionError, Distributions, Reason, Solver, solve, solve_batch,
+    };
 }
 
 pub mod elastostatics {

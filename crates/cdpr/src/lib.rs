@@ -58,13 +58,18 @@ pub use cdpr_model::statics::Load;
 pub use cdpr_model::tension::Limits;
 #[doc(inline)]
 pub use cdpr_study::Experiment;
+pub use error::{Error, Place};
 pub use nalgebra;
+
+mod error;
 
 pub mod geometry {
     //! Poses, twists and wrenches, and the motions that a robot's cables can make.
 
     #[doc(inline)]
-    pub use cdpr_model::geometry::{MotionPattern, PatternError, Plane, Pose, PoseBatch, Twist, Wrench};
+    pub use cdpr_model::geometry::{
+        MotionPattern, PatternError, Plane, Pose, PoseBatch, PoseRowError, PoseRows, Twist, Wrench,
+    };
 }
 
 pub mod scalar {

@@ -13,7 +13,7 @@ use super::pose_squares::PoseSquares;
 use super::vectors::{Stacked, Vectors};
 use crate::recorded::Recorded;
 use cdpr_model::cable::CableState;
-use cdpr_model::equilibrium::{ForwardSettings, Solutions, State, Status};
+use cdpr_model::equilibrium::{ForwardBatch, ForwardSettings, Solutions, State, Status};
 use cdpr_model::geometry::{Pose, PoseBatch, Twist, Wrench};
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;
@@ -90,7 +90,8 @@ impl<'a> PoseVectors<'a> {
             }
             self.lengths.write(sample, &controlled);
         }
-        model.forward_batch(&self.settings, false, &self.lengths, &self.guesses, state, &mut self.solutions).ok()?;
+        let problems = ForwardBatch { lengths: &self.lengths, guesses: &self.guesses, load: None, only_taut: false };
+        model.forward_batch(&self.settings, &problems, state, &mut self.solutions).ok()?;
         self.unpredicted = (0..self.samples.len()).find(|&sample| self.solutions.status(sample) != Status::Converged);
         self.unpredicted.is_none().then_some(())
     }

@@ -7,8 +7,8 @@ use clap::Args;
 use serde::Serialize;
 
 use crate::answer::{Answer, Output};
-use crate::explanations::{self, Explanation};
 use crate::failure::Failure;
+use cdpr_reports::explanations::{self, Explanation};
 use cdpr_reports::table::Table;
 
 const EXAMPLES: &str = "\

@@ -158,6 +158,29 @@ impl Lanes for Avx2 {
     fn sums(four: [Self; 4]) -> [f64; 4] {
         sums_of_halves(four[0].token, [four[0].halves, four[1].halves, four[2].halves, four[3].halves])
     }
+
+    #[inline(always)]
+    fn transposed(eight: &[Self; LANES]) -> [Self; LANES] {
+        let avx = eight[0].token.avx;
+        let mut columns = *eight;
+        for half in 0..2 {
+            for rows in 0..2 {
+                // a block of four rows and four columns
+                let mut block = [pulp::cast(eight[0].halves[0]); 4];
+                for row in 0..4 {
+                    block[row] = pulp::cast(eight[4 * rows + row].halves[half]);
+                }
+                let low = [avx._mm256_unpacklo_pd(block[0], block[1]), avx._mm256_unpacklo_pd(block[2], block[3])];
+                let high = [avx._mm256_unpackhi_pd(block[0], block[1]), avx._mm256_unpackhi_pd(block[2], block[3])];
+                let first = 4 * half;
+                columns[first].halves[rows] = pulp::cast(avx._mm256_permute2f128_pd::<0x20>(low[0], low[1]));
+                columns[first + 1].halves[rows] = pulp::cast(avx._mm256_permute2f128_pd::<0x20>(high[0], high[1]));
+                columns[first + 2].halves[rows] = pulp::cast(avx._mm256_permute2f128_pd::<0x31>(low[0], low[1]));
+                columns[first + 3].halves[rows] = pulp::cast(avx._mm256_permute2f128_pd::<0x31>(high[0], high[1]));
+            }
+        }
+        columns
+    }
 }
 
 /// [`Lanes::sums`] of eight lanes in two halves each.

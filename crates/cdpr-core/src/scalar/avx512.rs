@@ -152,4 +152,29 @@ impl Lanes for Avx512 {
         let halves = [pulp::cast(a.value), pulp::cast(b.value), pulp::cast(c.value), pulp::cast(d.value)];
         sums_of_halves(*a.token, halves)
     }
+
+    #[inline(always)]
+    fn transposed(eight: &[Self; LANES]) -> [Self; LANES] {
+        let token = eight[0].token;
+        let unit = token.avx512f;
+        let mut columns = *eight;
+        for side in 0..2 {
+            // numbers `side`, `side` + 2, + 4, + 6 of each pair of rows, beside each other
+            let mut pairs = [pulp::cast(eight[0].value); 4];
+            for pair in 0..4 {
+                let (a, b) = (pulp::cast(eight[2 * pair].value), pulp::cast(eight[2 * pair + 1].value));
+                pairs[pair] = if side == 0 { unit._mm512_unpacklo_pd(a, b) } else { unit._mm512_unpackhi_pd(a, b) };
+            }
+            // then of four rows, then of eight
+            let even = unit._mm512_shuffle_f64x2::<0x88>(pairs[0], pairs[1]);
+            let odd = unit._mm512_shuffle_f64x2::<0xdd>(pairs[0], pairs[1]);
+            let lower_even = unit._mm512_shuffle_f64x2::<0x88>(pairs[2], pairs[3]);
+            let lower_odd = unit._mm512_shuffle_f64x2::<0xdd>(pairs[2], pairs[3]);
+            columns[side].value = pulp::cast(unit._mm512_shuffle_f64x2::<0x88>(even, lower_even));
+            columns[side + 4].value = pulp::cast(unit._mm512_shuffle_f64x2::<0xdd>(even, lower_even));
+            columns[side + 2].value = pulp::cast(unit._mm512_shuffle_f64x2::<0x88>(odd, lower_odd));
+            columns[side + 6].value = pulp::cast(unit._mm512_shuffle_f64x2::<0xdd>(odd, lower_odd));
+        }
+        columns
+    }
 }

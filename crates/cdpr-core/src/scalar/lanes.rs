@@ -34,6 +34,23 @@ pub trait Lanes: Select {
         [four[0].sum(), four[1].sum(), four[2].sum(), four[3].sum()]
     }
 
+    /// Rows to columns: number k of row i becomes number i of row k.
+    #[inline(always)]
+    fn transposed(eight: &[Self; LANES]) -> [Self; LANES] {
+        let mut columns = [[0.0; LANES]; LANES];
+        for row in 0..LANES {
+            let numbers = eight[row].to_array();
+            for column in 0..LANES {
+                columns[column][row] = numbers[column];
+            }
+        }
+        let mut transposed = *eight;
+        for column in 0..LANES {
+            transposed[column] = eight[0].load(&columns[column]);
+        }
+        transposed
+    }
+
     /// Runs a part of a kernel as a function of its own on the same vector unit. What several kernels share is compiled
     /// once for each unit instead of once for each place; a call costs a few nanoseconds.
     fn apart<K: Kernel>(self, part: K) -> K::Output;
@@ -79,4 +96,37 @@ pub trait Kernel {
 
     /// The computation; `lanes` is the source of further numbers (`constant`, `load`), its value does not matter.
     fn run<L: Lanes>(self, lanes: L) -> Self::Output;
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+    use crate::scalar::{Unit, dispatch_on};
+
+    /// Whether rows of eight different numbers become columns.
+    struct Transposed;
+
+    impl Kernel for Transposed {
+        type Output = bool;
+
+        #[inline(always)]
+        fn run<L: Lanes>(self, lanes: L) -> bool {
+            let number = |row: usize, column: usize| (LANES * row + column) as f64;
+            let mut rows = [lanes; LANES];
+            for row in 0..LANES {
+                rows[row] = lanes.load(&core::array::from_fn::<f64, LANES, _>(|column| number(row, column)));
+            }
+            let columns = L::transposed(&rows);
+            (0..LANES).all(|column| {
+                columns[column].to_array() == core::array::from_fn::<f64, LANES, _>(|row| number(row, column))
+            })
+        }
+    }
+
+    #[test]
+    fn rows_become_columns_on_every_vector_unit() {
+        for unit in Unit::available() {
+            assert!(dispatch_on(unit, Transposed).unwrap(), "{unit:?}");
+        }
+    }
 }

@@ -18,6 +18,7 @@ mod plain;
 mod portable;
 mod real;
 mod select;
+mod sine;
 mod smooth;
 mod vector3;
 
@@ -30,5 +31,6 @@ pub use lanes::{Kernel, LANES, Lanes};
 pub use portable::Portable;
 pub use real::Real;
 pub use select::Select;
+pub use sine::{SINE_LIMIT, sin_cos};
 pub use smooth::Smooth;
 pub use vector3::{add, constants, cross, dot, rotate, rotate_back, scale, sub};

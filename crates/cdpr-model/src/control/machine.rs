@@ -3,7 +3,7 @@
 use super::input_error::InputError;
 use super::outcome::Outcome;
 use super::status::Status;
-use crate::equilibrium::{self, ForwardProblem, ForwardSettings, Solution, Solutions, State};
+use crate::equilibrium::{self, ForwardBatch, ForwardProblem, ForwardSettings, Solution, Solutions, State};
 use crate::geometry::{Pose, PoseBatch};
 use crate::model::Model;
 use crate::scalar::LaneTable;
@@ -52,8 +52,8 @@ impl<'a> Machine<'a> {
         state: &mut State,
     ) -> Option<Solutions> {
         let mut solutions = Solutions::default();
-        let answered =
-            self.model.forward_batch(&self.settings, only_taut, lengths, guesses, state, &mut solutions).is_ok();
+        let problems = ForwardBatch { lengths, guesses, load: None, only_taut };
+        let answered = self.model.forward_batch(&self.settings, &problems, state, &mut solutions).is_ok();
         (answered && self.knows_tensions()).then_some(solutions)
     }
 

@@ -5,11 +5,14 @@
 //! the wrench linearized at the last tensions, W(f) ≈ W(f_k) + ∂W/∂f (f − f_k), until they no longer change. Where that ends,
 //! the tensions balance the load exactly.
 
+mod batch;
+
 use std::fmt;
 
 use nalgebra::DMatrix;
 use thiserror::Error;
 
+pub use self::batch::{Distributions, solve_batch};
 use crate::cable::CableStateError;
 use crate::geometry::Pose;
 use crate::model::Model;

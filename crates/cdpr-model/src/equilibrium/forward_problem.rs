@@ -44,6 +44,19 @@ pub struct ForwardSettings {
     pub equilibrium: elastostatics::Settings,
 }
 
+/// Many forward problems of one model.
+#[derive(Clone, Copy, Debug)]
+pub struct ForwardBatch<'a> {
+    /// Controlled lengths (m), a row per cable.
+    pub lengths: &'a LaneTable,
+    /// The pose from which each problem is sought.
+    pub guesses: &'a PoseBatch,
+    /// The load on the platform; `None`: that of the robot's file.
+    pub load: Option<&'a Load>,
+    /// Only equilibria in which every cable pulls.
+    pub only_taut: bool,
+}
+
 /// Input that no forward problem of a model can accept.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ForwardError {
@@ -113,21 +126,19 @@ impl Model {
         })
     }
 
-    /// [`Model::forward_with`] for many controlled lengths at once (m; a row per cable), each sought from its own guess and with the bits of
-    /// the single problem; with `only_taut` equilibria in which every cable pulls.
+    /// [`Model::forward_with`] for many problems at once, with the bits of the single one.
     ///
     /// The search for taut cables ends with [`Status::NotConverged`](super::Status) where the equilibrium of bars has one that pushes, ten times
     /// sooner than the search for the cables that hang slack.
     pub fn forward_batch(
         &self,
         settings: &ForwardSettings,
-        only_taut: bool,
-        lengths: &LaneTable,
-        guesses: &PoseBatch,
+        problems: &ForwardBatch<'_>,
         state: &mut State,
         solutions: &mut Solutions,
     ) -> Result<(), ForwardError> {
-        state.solve(self, settings, None, |solver| match solver {
+        let ForwardBatch { lengths, guesses, load, only_taut } = *problems;
+        state.solve(self, settings, load, |solver| match solver {
             ForwardSolver::LeastSquares(solver) => Ok(solver.solve_batch(lengths, guesses, solutions)?),
             ForwardSolver::Equilibrium(solver) if only_taut => solver.solve_taut_batch(lengths, guesses, solutions),
             ForwardSolver::Equilibrium(solver) => solver.solve_batch(lengths, guesses, solutions),

@@ -12,15 +12,17 @@ mod inverse;
 mod inverse_solution;
 mod pose_step;
 mod restarts;
+pub mod rows;
 mod scratch;
 mod solution;
 mod start;
 mod state;
 
-pub use forward_problem::{ForwardError, ForwardProblem, ForwardSettings};
+pub use forward_problem::{ForwardBatch, ForwardError, ForwardProblem, ForwardSettings};
 pub use inverse_solution::{CableCommand, InverseSolution};
 pub use pose_step::turned;
 pub use restarts::restart_poses;
+pub use rows::{ForwardAnswers, ForwardRows, RowsError};
 use solution::{ITERATIONS, RMS, STATUS, TENSIONS};
 pub use solution::{NoSolution, Solution, Solutions, Status};
 pub use start::Start;

@@ -145,6 +145,11 @@ impl Solutions {
         Pose::from_numbers(std::array::from_fn(|row| self.table.get(row, item)))
     }
 
+    /// True if the problems are equilibria, which tell tensions.
+    pub fn has_tensions(&self) -> bool {
+        self.table.rows() > TENSIONS
+    }
+
     /// Tension of one cable (0-based; N), 0 where slack; panics where lengths alone are fitted, which tells none.
     pub fn tension(&self, cable: usize, item: usize) -> f64 {
         self.table.get(TENSIONS + cable, item)

@@ -54,6 +54,14 @@ impl PoseBatch {
         }
     }
 
+    /// Takes `count` poses of another batch from `first` on, which begins a group of eight; memory that was claimed once is kept.
+    pub(crate) fn fill_from(&mut self, other: &Self, first: usize, count: usize) {
+        self.table.resize(count);
+        let lines = &other.table.lines()[first / LANES * POSE_ROWS..];
+        let target = self.table.lines_mut();
+        target.copy_from_slice(&lines[..target.len()]);
+    }
+
     /// Adds a pose.
     pub fn push(&mut self, pose: &Pose) {
         let item = self.len();
@@ -71,6 +79,11 @@ impl PoseBatch {
     /// Numbers of all poses.
     pub(crate) fn table(&self) -> &LaneTable {
         &self.table
+    }
+
+    /// Numbers of all poses, to be written.
+    pub(crate) fn table_mut(&mut self) -> &mut LaneTable {
+        &mut self.table
     }
 
     /// Poses of one group of eight, in lanes.

@@ -9,11 +9,20 @@ use super::{FileError, ReadError};
 pub trait ErrorCode: std::error::Error {
     /// The name, e.g. `data::all-equal`.
     fn code(&self) -> &'static str;
+
+    /// The error of a file that is behind this one, with place and help; `None` if no text of a file is at fault.
+    fn read_error(&self) -> Option<&ReadError> {
+        None
+    }
 }
 
 impl ErrorCode for ReadError {
     fn code(&self) -> &'static str {
         self.code
+    }
+
+    fn read_error(&self) -> Option<&ReadError> {
+        Some(self)
     }
 }
 
@@ -22,6 +31,13 @@ impl ErrorCode for FileError {
         match self {
             Self::Unreadable { .. } => "io::read",
             Self::Refused(error) => error.code(),
+        }
+    }
+
+    fn read_error(&self) -> Option<&ReadError> {
+        match self {
+            Self::Unreadable { .. } => None,
+            Self::Refused(error) => Some(error),
         }
     }
 }

@@ -80,7 +80,7 @@ pub struct ReadError {
     pub message: String,
     /// How to mend it.
     pub help: Option<String>,
-    /// Stable short name of the mistake, e.g. `robot::unknown-key`.
+    /// Stable short name of the mistake, e.g. `robot::layout-version`.
     pub code: &'static str,
 }
 

@@ -29,6 +29,15 @@ pub fn over_parts<S, T>(
     work(state, 0, entries);
 }
 
+/// Items that are worth being handed to [`over_parts`] at once: `alone` where one thread does all, else some parts for each.
+pub fn chunk_for_threads(alone: usize) -> usize {
+    #[cfg(feature = "parallel")]
+    if rayon::current_num_threads() > 1 {
+        return 4 * PART * rayon::current_num_threads();
+    }
+    alone
+}
+
 /// Results of `work(0)` to `work(count - 1)` in this order, computed on several threads where the feature `parallel` allows.
 #[cfg(feature = "parallel")]
 pub fn map_all<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {

@@ -1,11 +1,8 @@
 //! Numbers of many items, eight items side by side, so that a vector register takes the same number of eight items at once.
 
-use super::LANES;
-
-/// Eight numbers on a cache line of their own: no load or store straddles two.
-#[derive(Clone, Copy, Debug, Default, PartialEq)]
-#[repr(align(64))]
-pub struct Line(pub [f64; LANES]);
+use super::line::Line;
+use super::transposed::{FromItems, ToItems};
+use super::{LANES, dispatch};
 
 /// A table with the same rows for every item (mostly a pose), its items in groups of eight.
 ///
@@ -95,6 +92,33 @@ impl LaneTable {
         }
     }
 
+    /// Takes the numbers of an array, item by item with one number per row each; memory that was claimed once is kept.
+    ///
+    /// Panics unless whole items are given.
+    ///
+    /// ```
+    /// use cdpr::scalar::LaneTable;
+    ///
+    /// let mut table = LaneTable::new(2);
+    /// table.fill_rows(&[1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+    /// assert_eq!((table.len(), table.get(1, 2)), (3, 6.0));
+    /// let mut numbers = [0.0; 6];
+    /// table.read_rows(&mut numbers);
+    /// assert_eq!(numbers, [1.0, 2.0, 3.0, 4.0, 5.0, 6.0]);
+    /// ```
+    pub fn fill_rows(&mut self, numbers: &[f64]) {
+        let rows = self.rows.max(1);
+        assert!(numbers.len().is_multiple_of(rows), "{} numbers in items of {}", numbers.len(), self.rows);
+        self.resize(numbers.len() / rows);
+        dispatch(FromItems { numbers, rows, lines: &mut self.lines });
+    }
+
+    /// Writes all numbers into an array, item by item with one number per row each; panics unless it has room for as many.
+    pub fn read_rows(&self, numbers: &mut [f64]) {
+        assert_eq!(numbers.len(), self.len * self.rows, "{} items of {} numbers", self.len, self.rows);
+        dispatch(ToItems { lines: &self.lines, rows: self.rows.max(1), numbers });
+    }
+
     fn line(&self, row: usize, item: usize) -> &Line {
         assert!(row < self.rows && item < self.len, "row {row} of {}, item {item} of {}", self.rows, self.len);
         &self.lines[item / LANES * self.rows + row]
@@ -117,8 +141,36 @@ impl LaneTable {
         &mut self.lines[group * self.rows..(group + 1) * self.rows]
     }
 
+    /// All lines, group by group.
+    pub(crate) fn lines(&self) -> &[Line] {
+        &self.lines
+    }
+
     /// All lines, group by group, for threads that share the work.
     pub(crate) fn lines_mut(&mut self) -> &mut [Line] {
         &mut self.lines
+    }
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn rows_that_go_in_come_out_for_any_number_of_rows_and_items() {
+        for rows in 1..12 {
+            for len in [0, 1, 7, 8, 9, 64, 67] {
+                let numbers: Vec<f64> = (0..rows * len).map(|k| k as f64).collect();
+                let mut table = LaneTable::new(rows);
+                table.fill_rows(&numbers);
+                let mut expected = LaneTable::new(rows);
+                expected.resize(len);
+                numbers.chunks(rows).enumerate().for_each(|(item, numbers)| expected.write(item, numbers));
+                assert_eq!(table, expected, "{rows} rows, {len} items");
+                let mut again = vec![f64::NAN; rows * len];
+                table.read_rows(&mut again);
+                assert_eq!(again, numbers);
+            }
+        }
     }
 }

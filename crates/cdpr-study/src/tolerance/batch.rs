@@ -6,7 +6,7 @@ use cdpr_model::control::CommandedPose;
 use cdpr_model::control::Control;
 use cdpr_model::control::InputError;
 use cdpr_model::control::Status;
-use cdpr_model::equilibrium::{self, ForwardError, ForwardSettings, Solutions, State, elastostatics};
+use cdpr_model::equilibrium::{self, ForwardBatch, ForwardError, ForwardSettings, Solutions, State, elastostatics};
 use cdpr_model::geometry::{Pose, PoseBatch};
 use cdpr_model::model::Model;
 use cdpr_model::scalar::{LANES, LaneTable};
@@ -83,14 +83,8 @@ impl Batch {
             }
         }
         let settings = ForwardSettings::default();
-        match machine.forward_batch(
-            &settings,
-            false,
-            controlled,
-            &self.guesses,
-            &mut State::at_home(machine),
-            solutions,
-        ) {
+        let problems = ForwardBatch { lengths: controlled, guesses: &self.guesses, load: None, only_taut: false };
+        match machine.forward_batch(&settings, &problems, &mut State::at_home(machine), solutions) {
             // lengths that are none
             Err(ForwardError::Input(elastostatics::InputError::Kinematic(_))) => return Ok(None),
             other => other?,

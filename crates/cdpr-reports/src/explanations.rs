@@ -1,7 +1,8 @@
 //! A page of explanation for every error code. The pages are part of the book too.
 
 /// One page per code under a heading `## area::mistake`: what happened, causes, cure, example.
-const PAGES: [&str; 4] = [
+const PAGES: [&str; 5] = [
+    include_str!("explanations/arrays.md"),
     include_str!("explanations/command_line.md"),
     include_str!("explanations/files.md"),
     include_str!("explanations/robots.md"),
@@ -10,16 +11,16 @@ const PAGES: [&str; 4] = [
 
 /// Explanation of a code.
 #[derive(Clone, Copy, Debug)]
-pub(crate) struct Explanation {
+pub struct Explanation {
     /// The code, `area::mistake`.
-    pub(crate) code: &'static str,
+    pub code: &'static str,
     /// The page below the heading.
-    pub(crate) text: &'static str,
+    pub text: &'static str,
 }
 
 impl Explanation {
     /// The first sentence: what happened.
-    pub(crate) fn summary(&self) -> String {
+    pub fn summary(&self) -> String {
         let paragraph = self.text.split("\n\n").next().unwrap_or_default().replace('\n', " ");
         match paragraph.split_once(". ") {
             Some((first, _)) => format!("{first}."),
@@ -29,7 +30,7 @@ impl Explanation {
 }
 
 /// All explanations, in the order of the pages.
-pub(crate) fn all() -> impl Iterator<Item = Explanation> {
+pub fn all() -> impl Iterator<Item = Explanation> {
     let sections = PAGES.iter().flat_map(|page| page.split("## ")).filter(|section| !section.trim().is_empty());
     sections.filter_map(|section| {
         let (code, text) = section.split_once('\n')?;
