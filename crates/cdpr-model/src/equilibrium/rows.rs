@@ -119,8 +119,8 @@ impl Model {
     /// let home = robot.home.ok_or("no home pose")?;
     /// let model = Model::new(robot, "standard".parse()?)?;
     /// let lengths = model.cable_lengths(&home)?.repeat(10);
-    /// let guess = [home.position.x + 0.1, home.position.y, home.position.z, 0.0, 0.0, 0.0];
-    /// let problems = ForwardRows { lengths: &lengths, guesses: [guess][..].into(), load: None };
+    /// let guess = [[home.position.x + 0.1, home.position.y, home.position.z, 0.0, 0.0, 0.0]];
+    /// let problems = ForwardRows { lengths: &lengths, guesses: guess[..].into(), load: None };
     /// let (mut poses, mut statuses) = ([[0.0; 7]; 10], [Status::NotConverged; 10]);
     /// let answers = ForwardAnswers {
     ///     poses: &mut poses,
