@@ -1,8 +1,9 @@
-//! The improved closed form (Pott 2014): the cable that breaks its limit most is put on it, and the others are balanced anew.
+//! The improved closed form (Pott 2014): the cable that misses its limit most is put on it, and the others are balanced
+//! anew.
 //!
-//! Start: the closed form (eq. 3.41), the point f of f + H λ nearest to the reference. While a cable misses a limit, the one
-//! that misses it by most newtons is fixed at that limit, its pull counts as load, and the closed form of the others is
-//! taken: the nearest point of what is left of the solutions. Each turn costs one degree of redundancy.
+//! Start: the closed form (eq. 3.41), the point f of f + H λ nearest to the reference. While a cable misses a limit,
+//! the one that misses it by most newtons is fixed at that limit, its pull counts as load, and the closed form of the
+//! others follows: the nearest point of the remaining solutions. Each turn uses up one degree of redundancy.
 //!
 //! **Where it fails.** No cable is ever released. With a redundancy of 2 or more a fixed cable may have to leave its limit
 //! again, and even with a redundancy of 1 the cable that misses by most newtons is not always the one to fix: the method
@@ -37,7 +38,7 @@ impl Distribute for Search {
     }
 }
 
-/// Writes the tensions; true when they keep the limits. `balanced` holds the solutions and is used up.
+/// Writes the tensions; true if they keep the limits. `balanced` holds the solutions of the balance and is used up.
 pub(super) fn search(balanced: &mut Affine, limits: &Limits, reference: &[f64], tensions: &mut [f64]) -> bool {
     balanced.nearest(reference, tensions);
     while let Some((cable, limit)) = limits.most_missed(tensions) {
