@@ -1,4 +1,4 @@
-//! Wrenches of groups of cables: what a part of the platform has to carry.
+//! Wrenches of groups of cables, which act on a part of the platform.
 
 use super::cable_states::cable_state;
 use super::error::{StaticsError, check_tensions};
