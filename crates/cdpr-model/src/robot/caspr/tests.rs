@@ -1,4 +1,4 @@
-//! Small models of our own, one CASPR feature each.
+//! Small models, with one CASPR feature each.
 
 use std::f64::consts::FRAC_PI_2;
 
