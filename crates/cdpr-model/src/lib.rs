@@ -1,5 +1,5 @@
-//! Models of cable-driven parallel robots: the robot as data, its cables, statics, tension distribution, equilibria, and a controller
-//! that sends lengths for poses.
+//! Models of cable-driven parallel robots: the robot as data, its cables, statics, tension distribution, equilibria,
+//! and a controller that sends lengths for poses.
 //!
 //! Data flow from left to right through the modules [`geometry`], [`robot`], [`measurement`], [`cable`], [`model`],
 //! [`statics`] and [`tension`], [`equilibrium`], [`compensation`], [`control`]; [`scalar`] has the number types,

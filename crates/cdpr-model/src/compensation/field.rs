@@ -26,7 +26,8 @@ pub(super) struct Field {
     pub(super) factor: Cholesky<f64, Dyn>,
 }
 
-/// Matérn kernel of smoothness 5/2: (1 + s + s²/3) e⁻ˢ with s = √5 d/ℓ; value and slope are continuous (Rasmussen & Williams 2006, eq. 4.17).
+/// Matérn kernel of smoothness 5/2: (1 + s + s²/3) e⁻ˢ with s = √5 d/ℓ; value and slope are continuous (Rasmussen &
+/// Williams 2006, eq. 4.17).
 fn kernel(a: &[f64], b: &[f64], length_scale: f64) -> f64 {
     let square: f64 = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum();
     let s = (5.0 * square).sqrt() / length_scale;

@@ -1,4 +1,4 @@
-//! Path on which a machine with hysteresis in its cables comes to a pose.
+//! The path on which a machine with hysteresis in its cables comes to a pose.
 
 use serde::{Deserialize, Serialize};
 

@@ -4,7 +4,7 @@ use serde::Serialize;
 
 use crate::compensation::Beyond;
 
-/// Effect of a map over commanded poses; stands beside the results with the map.
+/// Effect of a map over commanded poses, given with the results for the map.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MapEffect<T> {
     /// Poses beyond the map, at which the control model drives without correction, and those in its margin, where the

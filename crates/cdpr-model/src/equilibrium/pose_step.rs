@@ -60,8 +60,8 @@ pub(super) fn twist_of<const N: usize>(model: &Model, amounts: &[f64; N]) -> [f6
     twist
 }
 
-/// Pose (position, quaternion x, y, z, w) after a twist; the turn (1, ω/2) normalised equals exp(ω) to third order and needs no
-/// sine.
+/// Pose (position, quaternion x, y, z, w) after a twist; the rotation (1, ω/2) normalised equals exp(ω) to third order
+/// and needs no sine.
 #[inline(always)]
 pub fn turned<T: Real>(pose: [T; POSE_ROWS], twist: &[T; 6]) -> [T; POSE_ROWS] {
     let half = twist[0].constant(0.5);

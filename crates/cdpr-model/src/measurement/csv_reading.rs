@@ -181,7 +181,7 @@ impl CsvFile<'_> {
         Ok(Table { samples, notices, format, known, swivels, masses, angles, too_far, skipped })
     }
 
-    /// Reads all numbers of a row; the error is the first mistake.
+    /// Reads all numbers of a row; the error is the first one in the row.
     fn numbers(&self, format: &Format, row: &rows::Row<'_>, numbers: &mut Numbers) -> Result<(), ReadError> {
         let columns = &format.columns;
         if self.content == Content::Internal {

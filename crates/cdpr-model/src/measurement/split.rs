@@ -13,7 +13,7 @@ use super::Samples;
 /// One division of samples into training and validation; the two share no sample.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fold {
-    /// Name for people.
+    /// Name of the fold.
     pub name: String,
     /// Indices of the training samples.
     pub train: Vec<usize>,

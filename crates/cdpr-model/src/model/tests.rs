@@ -128,8 +128,8 @@ fn derivatives_of_both_outlets_agree_with_dual_numbers() {
     }
 }
 
-/// The second derivatives of the length by anchor and radius: ∂²q/∂r_p∂p_B = −∂u/∂r_p and ∂²q/∂r_p² = (1 − cos β)²/q_f, so that
-/// the Hessian is symmetric.
+/// The second derivatives of the length by anchor and radius: ∂²q/∂r_p∂p_B = −∂u/∂r_p and ∂²q/∂r_p² = (1 − cos β)²/q_f,
+/// so that the Hessian is symmetric.
 #[test]
 fn second_derivatives_by_anchor_and_radius_are_one_symmetric_matrix() {
     let swivelling = (robot_of(vec![tilted_pulley_cable()]), vec![tilted_pose(), Pose::identity()]);
@@ -211,7 +211,7 @@ fn radius_zero_gives_the_base_model_in_values_and_derivatives() {
     }
 }
 
-/// r_p = 0 is a point outlet also where the platform anchor lies on the swivel axis.
+/// r_p = 0 is a point outlet, even if the platform anchor lies on the swivel axis.
 #[test]
 fn radius_zero_has_no_axis_to_avoid() {
     let cable = Cable {

@@ -5,7 +5,7 @@ use nalgebra::Vector3;
 /// Body in the world that cables must not touch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Obstacle {
-    /// Name for people.
+    /// Name of the obstacle.
     pub name: String,
     /// Shape and position (world, m).
     pub shape: ObstacleShape,

@@ -1,10 +1,10 @@
 //! The centroid of all allowed tensions, at any redundancy.
 //!
-//! In the coordinates λ of f + H λ the allowed tensions are a polytope: none or a point (redundancy 0), a segment (1, its
-//! midpoint), a polygon (2, the barycentre of Gouttefarde et al. 2015), a polyhedron and so on. Volume and centroid follow
-//! from those of the facets, each of which is a polytope of one dimension less: with the distance bᵢ of facet i from any one
-//! point and its volume Vᵢ, r V = Σ bᵢ Vᵢ, and the centroid is that of cones over the facets. The recursion ends at segments,
-//! whose ends are the vertices of polygons. It is exact to rounding.
+//! In the coordinates λ of f + H λ the allowed tensions are a polytope: none or a point (redundancy 0), a segment (1,
+//! its midpoint), a polygon (2, the barycentre of Gouttefarde et al. 2015), a polyhedron and so on. Volume and centroid
+//! follow from those of the facets, which are polytopes of one dimension less: with the distance bᵢ of facet i from any
+//! one point and its volume Vᵢ, r V = Σ bᵢ Vᵢ, and the centroid is that of cones over the facets. The recursion ends at
+//! segments, which have the vertices of polygons as ends. It is exact to rounding.
 //!
 //! **Cost:** m limits above and below give 2m facets, each with 2m − 2 of its own, and so on: the cost grows by a
 //! factor of about 2m with every further degree of redundancy (see the table in the book). The method gives up after

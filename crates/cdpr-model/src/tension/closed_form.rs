@@ -106,7 +106,7 @@ impl Solver {
             None => self.reference.iter_mut().enumerate().for_each(|(cable, place)| *place = limits.middle(cable)),
         }
         let found = &mut self.solution;
-        // orthogonal factors where the rank is beyond doubt; singular values where it is not
+        // orthogonal factors if the rank is certain, otherwise singular values
         if self.balanced.load(structure_matrix, wrench)? && self.balanced.rank_is_certain() {
             self.balanced.nearest(&self.reference, &mut found.tensions);
             found.rank = wrench.len();

@@ -1,7 +1,8 @@
 //! Interface of a method of tension distribution: its search, its memory, its derivative.
 //!
-//! A problem goes through three stages ([`super::Solver`]): the method's own search; where that finds nothing, the exact verdict of the
-//! quadratic programme; then, where the method chooses among allowed tensions or has an answer without any, its refinement.
+//! A problem goes through three stages ([`super::Solver`]): the method's own search; if that finds no tensions, the
+//! exact verdict of the quadratic programme; then, if the method chooses among allowed tensions or gives tensions for
+//! an infeasible problem, its refinement.
 
 use std::fmt;
 

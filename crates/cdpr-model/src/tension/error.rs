@@ -9,7 +9,7 @@ use super::Limits;
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum InputError {
-    /// The structure matrix has another shape than asked for.
+    /// The structure matrix has another shape than the solver.
     #[error("expected a structure matrix of {expected_rows} × {expected_columns}, found {rows} × {columns}")]
     MatrixShape {
         /// Degrees of freedom n.
@@ -61,12 +61,12 @@ pub enum InputError {
         /// Room given.
         found: usize,
     },
-    /// An option that is a list has another length than asked for.
+    /// An option that is a list has a wrong length.
     #[error("expected {expected} {what}, found {found}")]
     OptionCount {
         /// Entries of the list, in words.
         what: &'static str,
-        /// Entries asked for.
+        /// Entries expected.
         expected: usize,
         /// Entries given.
         found: usize,

@@ -5,10 +5,10 @@
 //! the one that misses it by most newtons is fixed at that limit, its pull counts as load, and the closed form of the
 //! others follows: the nearest point of the remaining solutions. Each turn uses up one degree of redundancy.
 //!
-//! **Where it fails.** No cable is ever released. With a redundancy of 2 or more a fixed cable may have to leave its limit
-//! again, and even with a redundancy of 1 the cable that misses by most newtons is not always the one to fix: the method
-//! then ends without tensions though there are some. **Continuity:** continuous where the order of fixing does not change;
-//! it may jump where it does. **Warm start:** none, every result depends on its own problem alone.
+//! **Where it fails.** No cable is ever released. With a redundancy of 2 or more a fixed cable may have to leave its
+//! limit again, and even with a redundancy of 1 the cable that misses by most newtons is not always the one to fix: the
+//! method then ends without tensions though there are some. **Continuity:** continuous as long as the order of fixing
+//! does not change; it may jump when it does. **Warm start:** none, every result depends on its own problem alone.
 
 use super::affine::Affine;
 use super::distribute::{Chosen, Distribute, Found, ON_LIMIT, Problem, Task, Written};

@@ -1,6 +1,7 @@
 //! The nearest tensions to a reference within balance and limits: the optimum of the quadratic programme (`quadratic`).
 //!
-//! **Continuity:** the tensions follow load, matrix and limits continuously, with kinks where a cable comes to a limit or leaves it.
+//! **Continuity:** the tensions follow load, matrix and limits continuously, with kinks at which a cable comes to a
+//! limit or leaves it.
 //! **Warm start:** the active limits of the last programme; the answer changes by rounding only.
 
 use super::distribute::{Chosen, Distribute, ON_LIMIT, Written};

@@ -1,4 +1,4 @@
-//! Tensions within the limits whose wrench is the nearest to the one asked for.
+//! Tensions within the limits with the wrench nearest to the required one.
 //!
 //! min ‖S (Aᵀ f + w)‖ with f_min ≤ f ≤ f_max, where S divides moments by a length (see [`super::Options::lengths`]):
 //! least squares with bounded unknowns (Stark and Parker 1995). Cables start at their limits; the one whose release
@@ -7,8 +7,9 @@
 //! the tensions that give it, the quadratic programme takes those nearest to the reference. If the load can be
 //! balanced, the answer is the optimum of that programme.
 //!
-//! **Stop rule:** no release gains more than rounding, 1e-10 of the largest terms. **Continuity:** the wrench is continuous (a
-//! projection on a convex set), and so are the tensions while the rank stays. **Warm start:** none of the least squares.
+//! **Stop rule:** no release gains more than rounding, 1e-10 of the largest terms. **Continuity:** the wrench is
+//! continuous (a projection on a convex set), and so are the tensions while the rank stays. **Warm start:** none for
+//! the least squares.
 
 use nalgebra::DMatrix;
 

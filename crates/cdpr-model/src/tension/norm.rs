@@ -1,15 +1,15 @@
-//! The lowest and the highest tensions, by a p-norm: `minimum` is min ‖f‖ₚ, `maximum` is min ‖f_max − f‖ₚ, both within balance
-//! and limits, 1 ≤ p ≤ 8 (Verhoeven 2004; Gosselin and Grenier 2011).
+//! The lowest and the highest tensions, by a p-norm: `minimum` is min ‖f‖ₚ, `maximum` is min ‖f_max − f‖ₚ, both within
+//! balance and limits, 1 ≤ p ≤ 8 (Verhoeven 2004; Gosselin and Grenier 2011).
 //!
 //! `maximum` measures the distance to the largest tensions: the largest norm of f itself would be a corner of the set,
 //! hard to find and jumping with the load. All problems are convex and solved by exact quadratic programmes:
 //!
 //! * p = 2: one programme with its reference at 0 or f_max.
-//! * p = 1: the linear programme min Σ f or max Σ f, by proximal points (Rockafellar 1976): each step is the programme with the
-//!   last tensions, moved down or up by an amount that grows, as its reference. A step that changes nothing proves the optimum, and
-//!   it comes after finitely many, mostly two or three. The tensions are pulls, so that a least limit below 0 counts with
-//!   its sign. Where several tensions have the same sum, the answer is the one that the steps reach from the tensions nearest to the
-//!   reference.
+//! * p = 1: the linear programme min Σ f or max Σ f, by proximal points (Rockafellar 1976): each step is the programme
+//!   with the last tensions, moved down or up by an amount that grows, as its reference. A step that changes nothing
+//!   proves the optimum, and it comes after finitely many, mostly two or three. The tensions are pulls, so that a least
+//!   limit below 0 counts with its sign. If several tensions have the same sum, the answer is the one that the steps
+//!   reach from the tensions nearest to the reference.
 //! * otherwise: Newton's method, each step a programme in the metric of the second derivatives, with a line search. It
 //!   ends when the tensions change by less than 1e-8 of the largest limit, or Σ |f|ᵖ can fall by less than 1e-13 of
 //!   itself (1e-8 after 200 steps).

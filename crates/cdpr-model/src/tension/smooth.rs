@@ -1,8 +1,8 @@
 //! Tensions that follow the load without kinks (Ueland, Sauder and Skjetne 2021): a p-norm about the reference with
 //! smooth limits, and a slack of the load where balance would cost too much.
 //!
-//! min Σ φᵢ(fᵢ) + Σ ψ(sᵣ) with Aᵀ f + w = s, rows divided by their length, and
-//! φᵢ = |(f − f_ref)/α|ᵖ/p − c log (f − f_min)/α − c log (f_max − f)/α, α half the largest range, c the smoothing width squared, 2 ≤ p ≤ 8.
+//! min Σ φᵢ(fᵢ) + Σ ψ(sᵣ) with Aᵀ f + w = s, rows divided by their length, and φᵢ = |(f − f_ref)/α|ᵖ/p − c log (f −
+//! f_min)/α − c log (f_max − f)/α, α half the largest range, c the smoothing width squared, 2 ≤ p ≤ 8.
 //! Without the barriers a tension would run into its limit with a kink; a tension that p = 2 would put just on its
 //! limit, with the reference in the middle, stays away from it by the smoothing width times α. As the width goes to 0,
 //! the tensions tend to those of `qp` (p = 2).
@@ -20,8 +20,9 @@
 //! theorem). **Stop rule:** G below 1e-14 of its terms, or below 1e-10 and not falling. **Warm start:** the last
 //! multipliers; the answer changes by rounding only.
 //!
-//! E. Ueland, T. Sauder, R. Skjetne, "Optimal Force Allocation for Overconstrained Cable-Driven Parallel Robots: Continuously
-//! Differentiable Solutions With Assessment of Computational Efficiency", IEEE Transactions on Robotics 37(2), 2021.
+//! E. Ueland, T. Sauder, R. Skjetne, "Optimal Force Allocation for Overconstrained Cable-Driven Parallel Robots:
+//! Continuously Differentiable Solutions With Assessment of Computational Efficiency", IEEE Transactions on Robotics
+//! 37(2), 2021.
 
 #[cfg(test)]
 mod tests;

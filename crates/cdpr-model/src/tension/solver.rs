@@ -8,7 +8,7 @@ use super::distribute::{Cause, Distribute, Problem, Status, Task};
 use super::error::{check_shape, check_sizes};
 use super::{InputError, Limits, Method, Options, quadratic};
 
-/// A solver with the memory of one method: [`Solver::solve`] claims none, except where a closed form meets lost rank.
+/// A solver with the memory of one method: [`Solver::solve`] claims none, except for a closed form with lost rank.
 ///
 /// ```
 /// use cdpr::nalgebra::DMatrix;

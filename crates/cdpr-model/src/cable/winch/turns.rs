@@ -5,13 +5,15 @@ use crate::scalar::Real;
 /// Cable wound in a helix of constant radius and pitch, from a point at which the turn φ and the paid-out length are
 /// zero.
 ///
-/// A turn by φ unwinds the helix length h φ, h = √(r² + c²), while the contact point travels c φ along the drum. The free
-/// part between contact and first pulley, s(φ) = √(t² + (w + c φ)²), takes up its change, so that beyond the pulley
+/// A turn by φ unwinds the helix length h φ, h = √(r² + c²), while the contact point travels c φ along the drum. The
+/// free part between contact and first pulley, s(φ) = √(t² + (w + c φ)²), takes up its change, so that the length
+/// beyond the pulley is
 ///
 /// F(φ) = h φ − (s(φ) − s(0)),  F′ = h − c (w + c φ)/s > 0,
 ///
-/// with t² = d² − r² the square of the tangent from the pulley to the circle of radius r at the distance d of the pulley from
-/// the drum's axis. A drum whose guide travels with the contact point keeps s constant: F = h φ. Without pitch both are r φ.
+/// with t² = d² − r² the square of the tangent from the pulley to the circle of radius r at the distance d of the
+/// pulley from the drum's axis. With a guide that travels with the contact point s is constant: F = h φ. Without pitch
+/// both are r φ.
 ///
 /// On a spool the cable lies on itself: every metre paid out reduces the squared radius by Q, so that its radius is r −
 /// Q φ/2 and it pays out F(φ) = r φ − Q φ²/4.

@@ -1,4 +1,4 @@
-//! The search for initial tensions, by Gauss–Newton steps in the null space of the structure matrix at the initial pose.
+//! The search for initial tensions: Gauss–Newton steps in the null space of the structure matrix at the initial pose.
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 

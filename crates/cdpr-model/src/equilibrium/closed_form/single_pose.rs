@@ -1,4 +1,4 @@
-//! The closed form at one pose, a cable per lane: structure matrix, products and tensions without leaving the registers.
+//! The closed form at one pose, a cable per lane: structure matrix, products and tensions, all in registers.
 
 use super::normal::{Normal, moved};
 use crate::cable::wrench::wrench;

@@ -132,7 +132,7 @@ fn share_of_small<L: Select>(lanes: L, strain: L) -> L {
 /// Tension (N), stiffness (N/m) and energy (J) of eight cables at their lengths.
 pub(super) struct Pull<L> {
     pub(super) tension: L,
-    /// ∂f/∂q; 0 where slack.
+    /// ∂f/∂q (N/m); 0 if slack.
     pub(super) stiffness: L,
     pub(super) energy: L,
 }

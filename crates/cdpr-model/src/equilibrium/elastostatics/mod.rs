@@ -5,9 +5,9 @@
 //! of its Hessian K_wx = K_C − K_G − ∂w/∂x; near the end the skew part from constant moments is added, so that
 //! convergence is quadratic. A first descent lets cables push: if none has to, it finds the same pose in fewer steps.
 //!
-//! Rigid cables (fewer than or as many as degrees of freedom) are stiff springs whose rest lengths follow their tensions until
-//! no cable is longer than its controlled length, the method of multipliers; the last digits come from Newton steps on pose
-//! and tensions together.
+//! Rigid cables (fewer than or as many as degrees of freedom) are stiff springs with rest lengths that follow their
+//! tensions until no cable is longer than its controlled length, the method of multipliers; the last digits come from
+//! Newton steps on pose and tensions together.
 
 mod attempt;
 mod balance;

@@ -16,7 +16,7 @@ const NEAR: f64 = 1e-3;
 /// Fraction to which the excess must shrink in one correction; otherwise the virtual springs become ten times stiffer.
 const SLOW: f64 = 0.1;
 
-/// Descends with virtual springs whose rest lengths follow the tensions: q_θ − f/k_v, until q ≤ q_θ where taut.
+/// Descends with virtual springs and rest lengths that follow the tensions: q_θ − f/k_v, until q ≤ q_θ for taut cables.
 ///
 /// At the end f = max(0, f + k_v (q − q_θ)) holds, which is balance with rigid cables.
 pub(super) fn attempt(

@@ -1,8 +1,8 @@
 //! Whether tensions within limits balance the load, at many poses at once: the exact verdict of [`quadratic`].
 //!
-//! Eight poses are decided side by side, a pose per lane. Orthogonal factors give the solutions f = f₀ + H λ of the balance;
-//! the limits are strips in the m − n coordinates λ, and strips have a common point exactly when every m − n + 1 of them have
-//! one (Helly's theorem): for redundancy 2, with Dᵢⱼ = det(hᵢ, hⱼ) and the limits f_m ± ρ,
+//! Eight poses are decided side by side, a pose per lane. Orthogonal factors give the solutions f = f₀ + H λ of the
+//! balance; the limits are strips in the m − n coordinates λ, and strips have a common point exactly when every m − n +
+//! 1 of them have one (Helly's theorem): for redundancy 2, with Dᵢⱼ = det(hᵢ, hⱼ) and the limits f_m ± ρ,
 //!
 //! |Dⱼₖ f₀ᵢ + Dₖᵢ f₀ⱼ + Dᵢⱼ f₀ₖ| ≤ |Dⱼₖ| ρᵢ + |Dₖᵢ| ρⱼ + |Dᵢⱼ| ρₖ for all i < j < k (f₀ counted from f_m),
 //!

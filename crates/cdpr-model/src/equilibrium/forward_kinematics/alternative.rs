@@ -1,4 +1,4 @@
-//! Other poses that fit the lengths better than the one that belongs to the guess.
+//! Other poses that fit the lengths better than the one found from the guess.
 
 use super::descent::{Problem, Stop};
 use super::{Scratch, Solver, Status};

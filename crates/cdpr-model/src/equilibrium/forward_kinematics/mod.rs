@@ -213,7 +213,7 @@ pub(super) fn check_input(model: &Model, lengths: &[f64], guess: &Pose) -> Resul
 }
 
 fn underdetermined(model: &Model, lengths: &[f64], guess: &Pose) -> Solution {
-    // modelled minus given; NaN where a cable has no path
+    // modelled minus given; NaN for a cable without a path
     let residual =
         |(cable, length): (usize, &f64)| model.path(cable, guess).map_or(f64::NAN, |(c, _)| c.length - length);
     let residuals: Vec<f64> = lengths.iter().enumerate().map(residual).collect();

@@ -130,7 +130,8 @@ fn lengths_that_count_from_an_unknown_pose_are_lengths_with_unknown_offsets() {
     assert!(reading.notices[0].contains("length-offset"), "{:?}", reading.notices);
 }
 
-/// A log of the winches at 100 Hz and one of a tracker at 120 Hz with a gap of half a second: rows in the gap have no pose.
+/// A log of the winches at 100 Hz and one of a tracker at 120 Hz with a gap of half a second: rows in the gap have no
+/// pose.
 #[test]
 fn two_logs_are_merged_by_time_and_not_across_gaps() {
     let robot = robot();

@@ -1,4 +1,4 @@
-//! Other ways to read poses.
+//! Other readings of poses.
 
 use std::f64::consts::PI;
 

@@ -39,8 +39,8 @@ impl Model {
         });
     }
 
-    /// Structure matrices Aᵀ of many poses: [`Model::structure_matrix`] for each, its n × m entries column by column, so that
-    /// row `cable · n + k` of the table holds component k of that cable.
+    /// Structure matrices Aᵀ of many poses: [`Model::structure_matrix`] for each, its n × m entries column by column,
+    /// so that row `cable · n + k` of the table has component k of that cable.
     ///
     /// Claims no memory if `matrices` has held as many poses before.
     pub fn batch_structure_matrices(&self, poses: &PoseBatch, matrices: &mut LaneTable) {

@@ -1,7 +1,7 @@
 //! Tables of a robot file for cables that do not stretch linearly, and the conditions under which they are a law.
 //!
-//! A law is refused unless tension rises with strain: otherwise one tension would belong to several lengths. The formulas
-//! themselves are in [`cdpr_core::cable::stretch`]; [`registry::LAWS`] has an entry for each.
+//! A law is refused unless tension rises with strain: otherwise several lengths would have the same tension. The
+//! formulas themselves are in [`cdpr_core::cable::stretch`]; [`registry::LAWS`] has an entry for each.
 
 pub(crate) mod cubic;
 mod entries;

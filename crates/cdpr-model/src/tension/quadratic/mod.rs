@@ -38,7 +38,8 @@ pub(super) const UNDECIDED: &str =
 pub enum Status {
     /// The tensions balance the load, keep their limits, and are the nearest to the reference that do.
     Feasible,
-    /// No tensions balance the load and keep the limits: see [`Distribution::certificate`] and [`Distribution::reason`].
+    /// No tensions balance the load and keep the limits, see [`Distribution::certificate`] and
+    /// [`Distribution::reason`].
     Infeasible,
     /// Rounding or overflow prevented a verdict: matrices with entries at the ends of their range.
     Undecided,

@@ -134,7 +134,7 @@ fn the_result_does_not_depend_on_what_was_solved_before() {
             assert_eq!(warm.status, cold.status, "case {case}, step {step}");
             if cold.status == Status::Feasible {
                 let apart = warm.tensions.iter().zip(&cold.tensions).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-                // both stand within the tolerance of 1e-7 N of the limits, seen through the condition of the active rows
+                // both are within the tolerance of 1e-7 N of the limits, times the condition of the active rows
                 assert!(apart < 1e-5, "case {case}, step {step}: {apart:e} N");
             }
         }

@@ -1,9 +1,9 @@
 //! The derivative of the centroid of all allowed tensions.
 //!
-//! In coordinates λ around the centroid c the balanced tensions are f = c + H λ. A change of matrix and load moves them by
-//! δ(λ) = −A⁺ᵀ (dAᵀ f + dw) at fixed λ, which is affine: the centroid moves along with δ(0). Within these coordinates the facets of the
-//! limits move outwards with the speed ∓δᵢ/‖Hᵢ‖, and V dc = Σ ∫ λ · speed over all facets: moments of facets up to the second, by
-//! the same recursion as the volume (Lasserre 1983).
+//! In coordinates λ around the centroid c the balanced tensions are f = c + H λ. A change of matrix and load moves them
+//! by δ(λ) = −A⁺ᵀ (dAᵀ f + dw) at fixed λ, which is affine: the centroid moves along with δ(0). Within these
+//! coordinates the facets of the limits move outwards with the speed ∓δᵢ/‖Hᵢ‖, and V dc = Σ ∫ λ · speed over all
+//! facets: moments of facets up to the second, by the same recursion as the volume (Lasserre 1983).
 
 use nalgebra::{DMatrix, DVector};
 

@@ -3,8 +3,8 @@
 //! Most methods minimize Σ φᵢ(fᵢ) with Aᵀ f + w = 0, and cables on limits stay there (`optimum`). They differ in φ and
 //! in the cables that are on a limit; each method states its own in its file (`Distribute::derivative`):
 //!
-//! * `qp`, `nearest-wrench` where the load can be balanced, `dykstra` and `improved-closed-form`: ½ (f − f_m)², the active limits of the
-//!   answer; `closed-form` without limits; `minimum` ½ f², `maximum` ½ (f_max − f)², both with p = 2.
+//! * `qp`, `nearest-wrench` if the load can be balanced, `dykstra` and `improved-closed-form`: ½ (f − f_m)², the active
+//!   limits of the answer; `closed-form` without limits; `minimum` ½ f², `maximum` ½ (f_max − f)², both with p = 2.
 //! * `smooth` with p = 2: ½ ((f − f_m)/α)² − c log (f − f_min)(f_max − f), no limit is active.
 //! * `barrier`: −log (f − f_min) − log (f_max − f), no limit is active.
 //!

@@ -88,7 +88,7 @@ impl Optimum {
     }
 }
 
-/// Derivative of the tensions nearest to a reference (N) in which some cables are free and the others stay on their limits.
+/// Derivative of the tensions nearest to a reference (N), with some cables free and the others on their limits.
 pub(in crate::tension) fn nearest(chosen: &Chosen<'_>, free: Vec<usize>, reference: &dyn Fn(usize) -> f64) -> Written {
     let optimum = Optimum::nearest(chosen.problem.structure_matrix, chosen.tensions, free, reference);
     Ok(Some(Box::new(optimum.ok_or(NoDerivative::Pinned)?)))
