@@ -16,9 +16,8 @@ use crate::tension::{Limits, Method, Options, Reference, Solver, closed_form};
 /// φ̂ is the machine's inverse, φ that of the model in use when the winches were set: the control model, or that of
 /// `offset_robot`. Both are in the units of their encoders. A kinematic φ does not depend on tensions, so that on a
 /// machine of the same geometry the offsets are −f q/k_F (eq. 6.24). An elastic φ takes the same initial tensions, so
-/// that a machine equal to its control model has offsets of zero. With drums the machine's lengths are those of the
-/// control model's drums at the motor angles that give them.
-/// motor angles that give them.
+/// that a machine equal to its control model has offsets of zero. With drums the machine's lengths are converted to
+/// those of the model in use at the motor angles that give them.
 pub fn winch_offsets(
     initial: &Initial,
     set_with: &Model,

@@ -49,8 +49,8 @@ impl Answer {
         Found { limits, tensions, status, cause, iterations }
     }
 
-    /// True if the tensions are feasible, or if the method gives tensions for an infeasible problem (beyond their
-    /// limits, or balancing a part of the load).
+    /// True if the tensions are feasible, if the method gives balanced tensions beyond their limits, or if it gives
+    /// tensions that balance a part of an infeasible load.
     pub fn has_tensions(&self) -> bool {
         self.status == Status::Feasible
             || match self.method.fallback() {

@@ -5,13 +5,12 @@
 //! narrowed by a fraction of their range. The step is damped as the theory of self-concordant functions requires
 //! (Nesterov and Nemirovskii 1994), so that the search converges from any start; the last steps double the digits.
 //!
-//! **Continuity:** the centre is a smooth function of load, matrix and limits wherever the set has an inside: the
-//! implicit function theorem with a positive definite Hessian. At the edge of the workspace, where the set shrinks to a
-//! point, it tends to that point. If the set is so thin that no limits narrowed by 1e-9 of their range leave tensions,
-//! the answer is the optimum of the programme. **Stop rule:** a Newton step of less than 1e-11 of the distances to the
-//! limits, or one that rounding keeps from shrinking. **Warm start:** the last tensions, brought into balance, if they
-//! are strictly inside; the answer changes by rounding only.
-//! changes by rounding only.
+//! **Continuity:** the centre is a smooth function (C¹ and beyond) of load, matrix and limits wherever the set has an
+//! inside: the implicit function theorem with a positive definite Hessian. At the edge of the workspace, where the set
+//! shrinks to a point, it tends to that point. If the set is so thin that no limits narrowed by 1e-9 of their range
+//! leave tensions, the answer is the optimum of the programme. **Stop rule:** a Newton step of less than 1e-11 of the
+//! distances to the limits, or one that rounding keeps from shrinking. **Warm start:** the last tensions, brought into
+//! balance, if they are strictly inside; the answer changes by rounding only.
 
 use super::affine::{Affine, add_scaled, dot};
 use super::distribute::{Chosen, Distribute, Found, NoDerivative, Status, Task, Written};

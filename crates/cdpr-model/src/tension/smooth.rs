@@ -117,7 +117,7 @@ pub(super) struct Search {
     matrix: Vec<f64>,
     /// Load and pulls of the least tensions, with the scaled rows.
     load: Vec<f64>,
-    /// Largest term of a row, to which rounding is relative.
+    /// Largest sum of a row's terms by amount, to which rounding is relative.
     size: f64,
     price: f64,
     costs: Vec<Cost>,

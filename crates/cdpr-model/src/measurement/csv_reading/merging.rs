@@ -13,7 +13,6 @@ impl MeasurementFile<'_> {
     ///
     /// Both have a column of time on the same clock. Rows in a gap of the tracker's log longer than `longest_gap` (s;
     /// by default three of its typical intervals) have no pose and are left out.
-    /// of its typical intervals) have no pose and are left out.
     pub fn merged_with(
         &self,
         track: &MeasurementFile<'_>,

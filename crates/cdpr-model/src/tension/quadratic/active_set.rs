@@ -138,7 +138,8 @@ impl ActiveSet {
         self.active.clear();
     }
 
-    /// Starts from the active set of the last search, without limits that have a negative multiplier.
+    /// Starts from the active set of the last search, without limits that depend on others or have a negative
+    /// multiplier.
     fn resume(&mut self, limits: &Limits) {
         let known = self.active.len();
         self.remembered.clear();

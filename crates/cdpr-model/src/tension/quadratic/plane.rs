@@ -229,8 +229,8 @@ impl<'a> State<'a> {
         }
     }
 
-    /// Starts from limits that were active before, without those that have a negative multiplier; `nearest` is the
-    /// point without limits.
+    /// Starts from limits that were active before, without those that depend on others or have a negative multiplier;
+    /// `nearest` is the point without limits.
     #[inline]
     fn resume(&mut self, known: &[Bound], nearest: &Block, limits: &Limits) {
         for &bound in known.iter().take(2) {

@@ -22,7 +22,7 @@ pub(super) struct Descents<'a> {
     pub(super) solutions: &'a mut [Line],
 }
 
-/// Fraction of its square to which a step must shrink the residual wrench; the single descent asks for a quarter.
+/// Largest ratio of the squared residual wrench after and before a step; the single descent allows a quarter.
 const CUT: f64 = 0.2499;
 /// Stiffness that is certainly above the single solver's limit of indifference, as a fraction of the sum over cables.
 const STABLE: f64 = 2e-9;
