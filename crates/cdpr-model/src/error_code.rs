@@ -1,4 +1,4 @@
-//! Codes of what robots, models, statics and controllers refuse.
+//! Codes of the errors of robots, models, statics and controllers.
 
 use crate::cable::outlet::pulley::PlacementError;
 use crate::cable::winch::{DrumError, GrooveError};
@@ -17,7 +17,7 @@ use crate::statics::{LoadError, StaticsError};
 use crate::tension::LimitsError;
 use crate::{control, tension};
 
-/// Code of outcomes that no other input than another pose, load or robot mends.
+/// Code of outcomes without an answer: only another pose, load or robot has one.
 const NO_ANSWER: &str = "numerical::no-answer";
 
 impl ErrorCode for CableStateError {
@@ -94,7 +94,7 @@ impl ErrorCode for PlacePulleysError {
 
 impl ErrorCode for StretchError {
     fn code(&self) -> &'static str {
-        // the reader of robot files, which stands left of this list, shows it too
+        // the reader of robot files, which comes before this list in the order of modules, shows it too
         self.code()
     }
 }

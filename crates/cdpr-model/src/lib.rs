@@ -1,11 +1,12 @@
-//! Models of cable-driven parallel robots: the robot as data, its cables, statics, tension distribution, equilibria, and a controller
-//! that sends lengths for poses.
+//! Models of cable-driven parallel robots: the robot as data, its cables, statics, tension distribution, equilibria,
+//! and a controller that sends lengths for poses.
 //!
-//! Data flow from left to right through the modules [`geometry`], [`robot`], [`measurement`], [`cable`], [`model`], [`statics`] and [`tension`],
-//! [`equilibrium`], [`compensation`], [`control`]; [`scalar`] holds the number types, [`solve`] the damped loop under every search, and
-//! [`reading`] the error of every file reader with the stable code of every error. Symbols and signs are in [`notation`]. SI units and radians everywhere.
+//! Data flow from left to right through the modules [`geometry`], [`robot`], [`measurement`], [`cable`], [`model`],
+//! [`statics`] and [`tension`], [`equilibrium`], [`compensation`], [`control`]; [`scalar`] has the number types,
+//! [`solve`] the damped loop of every search, and [`reading`] the error of every file reader and the stable codes of
+//! all errors. Symbols and signs are in [`notation`]. Units are SI and radians.
 //!
-//! Users meet it through the crate `cdpr`.
+//! Users use it through the crate `cdpr`.
 
 #![warn(unnameable_types)]
 

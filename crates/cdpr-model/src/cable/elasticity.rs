@@ -4,7 +4,7 @@ pub use cdpr_core::cable::elasticity::{ControlledLength, Elasticity, StiffnessBa
 
 use crate::robot::{Cable, CableStiffness};
 
-/// The linear law of a robot's cable; `None` when its file says nothing about stiffness.
+/// The linear law of a robot's cable; `None` if its file states no stiffness.
 pub fn linear_elasticity(cable: &Cable) -> Option<Elasticity<f64>> {
     let series = cable.series_compliance.unwrap_or(0.0);
     let compliance = match cable.stiffness {

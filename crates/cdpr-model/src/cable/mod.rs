@@ -1,4 +1,4 @@
-//! One cable: the laws of [`cdpr_core::cable`], made of what a robot file says of it, and its winch.
+//! One cable: the laws of [`cdpr_core::cable`] with the numbers of a robot file, and its winch.
 
 pub mod elasticity;
 pub mod stretch;

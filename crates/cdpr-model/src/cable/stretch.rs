@@ -1,4 +1,4 @@
-//! Laws of stretch of a robot's cable: the formulas of [`cdpr_core::cable::stretch`], made of what a robot file says.
+//! Laws of stretch of a robot's cable: the formulas of [`cdpr_core::cable::stretch`] with the numbers of a robot file.
 
 pub use cdpr_core::cable::stretch::{Stretch, hysteresis, polynomial};
 

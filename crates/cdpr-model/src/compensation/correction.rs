@@ -1,25 +1,25 @@
-//! Correction of a map at one pose, and counts of poses at which it is not the whole.
+//! Correction of a map at one pose, and numbers of poses at which it does not act fully.
 
 use serde::Serialize;
 
 use super::map_error::MapError;
 
-/// Share from which a map acts as a whole: rounding makes less of 1.
+/// Fraction from which on a map counts as acting fully, to allow for rounding.
 const WHOLE: f64 = 1.0 - 1e-9;
 
 /// Correction of a map at a pose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Correction {
-    /// Lengths to add to the recorded ones of the model, cable by cable (m); zeros beyond the margin.
+    /// Lengths to add to the model's recorded ones, cable by cable (m); zeros beyond the margin.
     pub lengths: Vec<f64>,
-    /// Share of the map that acts at the pose: 1 among its samples, falling over the margin to 0.
+    /// Fraction of the map that acts at the pose: 1 among its samples, falling over the margin to 0.
     pub fraction: f64,
-    /// Reason why it is not the whole; nothing among the samples.
+    /// Reason that it does not act fully; `None` among the samples.
     pub reason: Option<String>,
 }
 
 impl Correction {
-    /// The same; an error beyond the margin, where the map says nothing.
+    /// The correction; an error beyond the margin, where the map has none.
     pub fn known(self) -> Result<Self, MapError> {
         match self.reason {
             Some(reason) if self.fraction == 0.0 => Err(MapError::Outside { reason }),
@@ -27,28 +27,28 @@ impl Correction {
         }
     }
 
-    /// Lengths to send: modelled ones and the correction (m).
+    /// Lengths to send: modelled ones plus the correction (m).
     pub fn added_to(&self, modelled: &[f64]) -> Vec<f64> {
         modelled.iter().zip(&self.lengths).map(|(length, own)| length + own).collect()
     }
 
-    /// Lengths that the model has where these are recorded (m).
+    /// Lengths of the model for recorded ones: without the correction (m).
     pub fn taken_from(&self, recorded: &[f64]) -> Vec<f64> {
         recorded.iter().zip(&self.lengths).map(|(length, own)| length - own).collect()
     }
 }
 
-/// Poses at which a map does not act as a whole.
+/// Numbers of poses at which a map does not act fully.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 pub struct Beyond {
-    /// Poses beyond its margin, where the model stands alone.
+    /// Number of poses beyond its margin, where only the model acts.
     pub outside: usize,
-    /// Poses in its margin, where it fades.
+    /// Number of poses in its margin, where it fades.
     pub fading: usize,
 }
 
 impl Beyond {
-    /// Counts of poses by the share of the map that acts at each.
+    /// Counts poses by the fraction of the map that acts at each.
     pub fn of(fractions: impl Iterator<Item = f64>) -> Self {
         fractions.fold(Self::default(), |counts, fraction| Self {
             outside: counts.outside + usize::from(fraction == 0.0),
@@ -56,7 +56,7 @@ impl Beyond {
         })
     }
 
-    /// Counts of both.
+    /// Sum of both counts.
     #[must_use]
     pub fn and(self, other: Self) -> Self {
         Self { outside: self.outside + other.outside, fading: self.fading + other.fading }

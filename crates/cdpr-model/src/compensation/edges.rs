@@ -1,4 +1,4 @@
-//! Edges of maps: the whole among the samples, nothing beyond the margin, and neither jump nor corner between.
+//! Edges of maps: full correction among the samples, none beyond the margin, and neither jump nor corner between.
 
 use nalgebra::{DMatrix, UnitQuaternion, Vector3};
 use rand::{RngExt, SeedableRng};
@@ -13,7 +13,7 @@ use crate::robot::Robot;
 /// Largest correction of the maps below (m).
 const SIZE: f64 = 0.012;
 
-/// Corrections that change over metres at poses of the twin's robot, turned by up to 0.09 rad; none between these x.
+/// Corrections that vary over metres at poses of the twin's robot, turned by up to 0.09 rad; no sample with x in `gap`.
 fn samples(gap: std::ops::Range<f64>) -> (Model, Vec<Pose>, DMatrix<f64>) {
     let robot = Robot::builtin("cablerobot-simulator-helicopter-kinematic-calibrated").unwrap();
     let model = Model::new(robot, Composition::STANDARD).unwrap();
@@ -42,12 +42,12 @@ fn pose(position: [f64; 3], turn: [f64; 3]) -> Pose {
     Pose { position: Vector3::from(position), rotation: UnitQuaternion::from_scaled_axis(Vector3::from(turn)) }
 }
 
-/// Poses on a line from the middle of the samples, by the share of its length.
+/// Pose at a fraction of a line from the middle of the samples.
 fn on(way: &[[f64; 3]; 2], fraction: f64) -> Pose {
     pose([fraction * way[0][0], fraction * way[0][1], 1.6 + fraction * way[0][2]], way[1].map(|turn| fraction * turn))
 }
 
-/// Lines out of the box: along an axis, across an edge, across a corner of positions and turns.
+/// Lines out of the box: along an axis, across an edge, across a corner of positions and rotations.
 const LINES: [[[f64; 3]; 2]; 5] = [
     [[3.0, 0.0, 0.0], [0.0; 3]],
     [[0.0, -3.0, 0.0], [0.0; 3]],
@@ -56,8 +56,9 @@ const LINES: [[[f64; 3]; 2]; 5] = [
     [[1.8, -1.8, 0.4], [0.14, 0.0, -0.14]],
 ];
 
-/// Along lines out of the box corrections change by less than 0.3 mm within a step of a millimetre, where they jumped by 5 to 12 mm; their slope changes in a step by less than a tenth of
-/// its largest, which a corner would make all of it; behind the margin they are zero to the bit.
+/// Along lines out of the box corrections change by less than 0.3 mm within a step of a millimetre, where they once
+/// jumped by 5 to 12 mm; their slope changes in a step by less than a tenth of its largest value, which a corner would
+/// change completely; beyond the margin they are zero to the bit.
 #[test]
 fn corrections_end_without_a_jump_or_a_corner() {
     const STEPS: usize = 2500;
@@ -73,7 +74,7 @@ fn corrections_end_without_a_jump_or_a_corner() {
             let steepest = steps.iter().fold(0.0_f64, |most, step| most.max(step.abs()));
             let corner = steps.windows(2).map(|pair| (pair[1] - pair[0]).abs()).fold(0.0, f64::max);
             assert!(steepest < 3e-4, "line {number}, cable {cable}: a step of {steepest} m");
-            // a micrometre where there is little to correct
+            // a micrometre where the correction is small
             assert!(corner < 0.1 * steepest + 1e-6, "line {number}, cable {cable}: {corner} m of {steepest} m");
         }
         // rounding of the product
@@ -82,7 +83,7 @@ fn corrections_end_without_a_jump_or_a_corner() {
     }
 }
 
-/// A map ends where its extents say: the whole at the ends, half of it in the middle of the margin, nothing behind it.
+/// A map ends at its stated extents: full at the ends, half in the middle of the margin, zero beyond it.
 #[test]
 fn margins_are_those_that_are_told() {
     let (_, map) = map();
@@ -103,7 +104,7 @@ fn margins_are_those_that_are_told() {
     }
 }
 
-/// Inside a map acts as the process does, to the bit.
+/// Inside its box a map equals the Gaussian process, to the bit.
 #[test]
 fn among_the_samples_nothing_fades() {
     let (_, map) = map();
@@ -113,7 +114,8 @@ fn among_the_samples_nothing_fades() {
     }
 }
 
-/// In a gap of 1.9 m between samples whose corrections hang together over 0.6 m a map fades to nothing and comes again, without jump or corner.
+/// In a gap of 1.9 m between samples with corrections correlated over 0.6 m a map fades to zero and returns, without
+/// jump or corner.
 #[test]
 fn corrections_fade_in_gaps() {
     let (model, poses, corrections) = samples(-0.9..1.0);
@@ -136,7 +138,7 @@ fn corrections_fade_in_gaps() {
     }
 }
 
-/// A file makes the same map: the same corrections in the box, in its margin and beyond, to the bit.
+/// A map read from its file is the same: the same corrections in the box, in its margin and beyond, to the bit.
 #[cfg(feature = "files")]
 #[test]
 fn a_file_makes_the_same_map() {

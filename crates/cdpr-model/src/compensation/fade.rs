@@ -1,6 +1,6 @@
-//! Fading: from the whole to nothing with a continuous slope.
+//! Fading from 1 to 0 with a continuous slope.
 
-/// Share that is left after this part of a margin: 1 before it, 0 behind it, (1 − t)² (1 + 2t) = 1 − 3t² + 2t³ between.
+/// Fraction that remains at this part of a margin: 1 before it, 0 behind it, (1 − t)² (1 + 2t) = 1 − 3t² + 2t³ between.
 pub(super) fn left(part: f64) -> f64 {
     let t = part.clamp(0.0, 1.0);
     (1.0 - t) * (1.0 - t) * (1.0 + 2.0 * t)
@@ -10,7 +10,7 @@ pub(super) fn left(part: f64) -> f64 {
 mod tests {
     use super::*;
 
-    /// Value and slope −6t (1 − t) go on at both ends; outside of them nothing changes.
+    /// Value and slope −6t (1 − t) are continuous at both ends; outside of them the value is constant.
     #[test]
     fn what_is_left_falls_from_one_to_zero_without_a_corner() {
         assert_eq!([-1.0, 0.0, 0.5, 1.0, 7.0, f64::INFINITY].map(left), [1.0, 1.0, 0.5, 0.0, 0.0, 0.0]);

@@ -1,13 +1,13 @@
-//! Gaussian process over points, many values at each: one kernel, one factor, a weight for every value.
+//! Gaussian process over points with many values at each: one kernel, one factor, one weight per point and value.
 
 use nalgebra::{Cholesky, DMatrix, DVector, Dyn};
 
 use crate::scalar::decomposition::symmetric_eigen;
 
-/// Lengths over which values hang together, as multiples of the points' root mean square distance from their middle.
+/// Correlation lengths that are tried, as multiples of the points' root mean square distance from their mean.
 const LENGTHS: [f64; 5] = [0.5, 1.0, 2.0, 4.0, 8.0];
 
-/// Variances of noise as multiples of the variance of the smooth part.
+/// Variances of noise that are tried, as multiples of the variance of the smooth part.
 const NOISES: [f64; 9] = [1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1.0, 10.0, 100.0];
 
 /// Smooth functions through scattered points.
@@ -15,7 +15,7 @@ const NOISES: [f64; 9] = [1e-6, 1e-5, 1e-4, 1e-3, 1e-2, 1e-1, 1.0, 10.0, 100.0];
 pub(super) struct Field {
     /// Points (m).
     pub(super) points: Vec<Vec<f64>>,
-    /// Distance over which values hang together (m).
+    /// Correlation length of the values (m).
     pub(super) length_scale: f64,
     /// Variance of noise as a multiple of the variance of the smooth part.
     pub(super) noise_ratio: f64,
@@ -26,7 +26,8 @@ pub(super) struct Field {
     pub(super) factor: Cholesky<f64, Dyn>,
 }
 
-/// Matérn kernel of smoothness 5/2: (1 + s + s²/3) e⁻ˢ with s = √5 d/ℓ; value and slope are continuous (Rasmussen & Williams 2006, eq. 4.17).
+/// Matérn kernel of smoothness 5/2: (1 + s + s²/3) e⁻ˢ with s = √5 d/ℓ; value and slope are continuous (Rasmussen &
+/// Williams 2006, eq. 4.17).
 fn kernel(a: &[f64], b: &[f64], length_scale: f64) -> f64 {
     let square: f64 = a.iter().zip(b).map(|(a, b)| (a - b) * (a - b)).sum();
     let s = (5.0 * square).sqrt() / length_scale;
@@ -38,7 +39,8 @@ fn kernels(points: &[Vec<f64>], length_scale: f64) -> DMatrix<f64> {
 }
 
 impl Field {
-    /// The field whose lengths and noise leave the smallest error when every point is left out in turn; `None` for points that are all one.
+    /// The field with the correlation length and noise that give the smallest leave-one-out error; `None` if all points
+    /// coincide.
     pub(super) fn fit(points: Vec<Vec<f64>>, values: &DMatrix<f64>) -> Option<Self> {
         let extent = extent(&points);
         let mean: Vec<f64> = values.column_iter().map(|column| column.mean()).collect();
@@ -61,7 +63,7 @@ impl Field {
         Some(Self { points, length_scale, noise_ratio, mean, weights, factor })
     }
 
-    /// Values at a point, and the share of the smooth part's variance that the samples leave unknown there, 0 to 1.
+    /// Values at a point, and the fraction of the smooth part's variance that the samples leave unknown there, 0 to 1.
     pub(super) fn at(&self, point: &[f64]) -> (Vec<f64>, f64) {
         let own = DVector::from_iterator(
             self.points.len(),
@@ -73,15 +75,15 @@ impl Field {
     }
 }
 
-/// Factor of K + λI; `None` for numbers that make none.
+/// Cholesky factor of K + λI; `None` if it is not positive definite.
 pub(super) fn factor(points: &[Vec<f64>], length_scale: f64, noise_ratio: f64) -> Option<Cholesky<f64, Dyn>> {
     let mut matrix = kernels(points, length_scale);
     (0..points.len()).for_each(|k| matrix[(k, k)] += noise_ratio);
     Cholesky::new(matrix)
 }
 
-/// Σ of the squared errors when every point is left out in turn, [K⁻¹y]ᵢ/[K⁻¹]ᵢᵢ (Rasmussen & Williams 2006, eq. 5.12), from the eigenvectors of K, its inverse
-/// eigenvalues, and the values in their directions.
+/// Σ of the squared leave-one-out errors, [K⁻¹y]ᵢ/[K⁻¹]ᵢᵢ (Rasmussen & Williams 2006, eq. 5.12), from the eigenvectors
+/// of K, its inverse eigenvalues, and the values along the eigenvectors.
 fn left_out(vectors: &DMatrix<f64>, inverse: &DVector<f64>, turned: &DMatrix<f64>) -> f64 {
     let scaled = DMatrix::from_fn(turned.nrows(), turned.ncols(), |i, k| inverse[i] * turned[(i, k)]);
     let weights = vectors * scaled;
@@ -90,7 +92,7 @@ fn left_out(vectors: &DMatrix<f64>, inverse: &DVector<f64>, turned: &DMatrix<f64
     (0..weights.nrows()).map(row).sum()
 }
 
-/// Root mean square distance from the middle (m).
+/// Root mean square distance from the mean (m).
 fn extent(points: &[Vec<f64>]) -> f64 {
     let count = points.len() as f64;
     let along = |k: usize| {
@@ -108,7 +110,7 @@ mod tests {
         (0..25).map(|k| vec![f64::from(k % 5) - 2.0, f64::from(k / 5) - 2.0]).collect()
     }
 
-    /// The formula of points left out is what fits without them say.
+    /// The leave-one-out formula agrees with fits without each point.
     #[test]
     fn errors_of_points_left_out_are_those_of_fields_without_them() {
         let points = points();
@@ -129,7 +131,8 @@ mod tests {
         assert!((fast - slow).abs() < 1e-10 * slow, "{fast} {slow}");
     }
 
-    /// A smooth function is followed between the points to a thousandth of its size, and nothing is known far away.
+    /// A smooth function is followed between the points to a thousandth of its size, and far away the variance is
+    /// unknown.
     #[test]
     fn smooth_functions_are_followed_and_far_away_nothing_is_known() {
         let points = points();

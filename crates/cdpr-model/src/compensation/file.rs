@@ -11,11 +11,11 @@ use crate::geometry::Pose;
 use crate::model::Model;
 use crate::reading::{ReadError, Size, TomlDocument, text_from_bytes};
 
-/// Scales below this and numbers from this on are slips of the pen.
+/// Range of scales and numbers outside which a file has an error.
 const SMALLEST: f64 = 1e-9;
 const LARGEST: f64 = 1e30;
 
-/// Deviation of a squared quaternion from 1 that rounding makes.
+/// Largest deviation of a squared quaternion from 1 by rounding.
 const UNIT: f64 = 1e-9;
 
 /// Layout of the file.
@@ -24,25 +24,25 @@ const UNIT: f64 = 1e-9;
 struct File {
     /// Version of the layout: 1.
     layout_version: u32,
-    /// Robot and model that the map was made for.
+    /// Robot and model for which the map was made.
     robot: String,
     model: String,
-    /// Distance over which corrections hang together.
+    /// Correlation length of the corrections (m).
     length_scale_m: f64,
     /// Variance of noise as a multiple of the variance of the smooth part.
     noise_ratio: f64,
-    /// Metres that a radian counts.
+    /// Length that corresponds to one radian (m).
     lever_m: f64,
-    /// Mean correction of every cable.
+    /// Mean correction of every cable (m).
     mean_m: Vec<f64>,
-    /// Smallest and largest coordinate of the samples about the centre.
+    /// Smallest and largest coordinate of the samples about the centre (m).
     ranges_m: Vec<[f64; 2]>,
     centre: Centre,
     sample: Vec<Sample>,
 }
 
 impl File {
-    /// True where every number is one that a map can have.
+    /// True if every number is possible for a map.
     fn has_numbers(&self) -> bool {
         let Centre { position_m, quaternion_xyzw, .. } = &self.centre;
         let samples = self.sample.iter().flat_map(|sample| sample.at_m.iter().chain(&sample.weights_m));
@@ -59,13 +59,13 @@ impl File {
     }
 }
 
-/// Pose about which coordinates count.
+/// Pose about which coordinates are measured.
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Centre {
     position_m: [f64; 3],
     quaternion_xyzw: [f64; 4],
-    /// Lengths of the model there, whatever the tensions: another model has others.
+    /// Lengths of the model there, for any tensions (m): another model has other lengths.
     cable_lengths_m: Vec<f64>,
 }
 
@@ -73,9 +73,9 @@ struct Centre {
 #[derive(Serialize, Deserialize)]
 #[serde(deny_unknown_fields)]
 struct Sample {
-    /// Coordinates about the centre, turns times the lever.
+    /// Coordinates about the centre, rotations times the lever (m).
     at_m: Vec<f64>,
-    /// Weight of its kernel for every cable.
+    /// Weight of its kernel for every cable (m).
     weights_m: Vec<f64>,
 }
 
@@ -106,11 +106,11 @@ impl Compensation {
         };
         let words = "# Correction of cable lengths over the workspace: add to the recorded lengths of the model at a pose.\n\
                      # It acts as a whole within ranges_m, fades to zero over a margin around them, and in gaps between samples.\n";
-        // numbers and texts alone always make a file
+        // numbers and texts can always be written as TOML
         format!("{words}{}", toml::to_string(&file).unwrap_or_default())
     }
 
-    /// Reads a map and refuses one that was made for another model.
+    /// Reads a map; an error if it was made for another model.
     pub fn from_toml_bytes(bytes: &[u8], file_name: &str, model: &Model) -> Result<Self, MapError> {
         let document = TomlDocument::parse(text_from_bytes(bytes, Size::Table, file_name)?, file_name)?;
         let file: File = document.deserialize()?;
@@ -150,7 +150,7 @@ impl Compensation {
     }
 }
 
-/// Smooth functions of their numbers; `None` for numbers that make none.
+/// The field with these numbers; `None` if they make none.
 fn field(
     points: Vec<Vec<f64>>,
     (length_scale, noise_ratio): (f64, f64),

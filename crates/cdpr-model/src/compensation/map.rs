@@ -11,10 +11,11 @@ use crate::equilibrium::State;
 use crate::geometry::Pose;
 use crate::model::Model;
 
-/// Shares of the smooth part's variance that samples leave unknown: up to the first a map acts as a whole, from the second on not at all.
+/// Fractions of the smooth part's variance that samples leave unknown: up to the first a map acts fully, from the
+/// second on not at all.
 const UNKNOWN: [f64; 2] = [0.5, 0.75];
 
-/// Difference of lengths at the centre by which another model is told (m).
+/// Difference of lengths at the centre above which the model is another one (m).
 const SAME: f64 = 1e-6;
 
 /// Smooth correction of a model's recorded lengths over the workspace.
@@ -24,7 +25,7 @@ pub struct Compensation {
     pub(super) robot: String,
     /// Composition of the model.
     pub(super) model: String,
-    /// Lengths of the model at the centre without tensions (m): another model has others.
+    /// Lengths of the model at the centre without tensions (m): another model has other lengths.
     pub(super) at_centre: Vec<f64>,
     pub(super) space: PoseSpace,
     pub(super) field: Field,
@@ -33,20 +34,20 @@ pub struct Compensation {
 /// Facts about a map.
 #[derive(Clone, Debug, PartialEq)]
 pub struct MapFacts {
-    /// Number of samples that it is made of.
+    /// Number of its samples.
     pub samples: usize,
-    /// Distance over which corrections hang together (m).
+    /// Correlation length of the corrections (m).
     pub length_scale: f64,
     /// Variance of noise as a multiple of the variance of the smooth part.
     pub noise_ratio: f64,
-    /// Pose about which the reach of the samples counts.
+    /// Pose about which the ranges of the samples are measured.
     pub centre: Pose,
-    /// Reach of the samples along every coordinate about the centre, and the margins over which the map fades.
+    /// Ranges of the samples along every coordinate about the centre, and the margins over which the map fades.
     pub extents: Vec<Extent>,
 }
 
 impl Compensation {
-    /// The map through corrections at poses (m; pose by cable), as smooth as they ask for.
+    /// The map through corrections at poses (m; pose by cable), with the smoothness that fits them best.
     pub fn through(model: &Model, poses: &[Pose], corrections: &DMatrix<f64>) -> Result<Self, MapError> {
         let space = PoseSpace::about(model, poses);
         let points = poses.iter().map(|pose| space.point(pose)).collect();
@@ -71,8 +72,9 @@ impl Compensation {
         }
     }
 
-    /// Correction at a pose. It is the whole in the box of the samples where these leave at most half of the smooth part's variance unknown, and fades with a continuous
-    /// slope: over the margins of the box, and in gaps up to three quarters unknown. Beyond that it is zero.
+    /// Correction at a pose. It acts fully in the box of the samples where these leave at most half of the smooth
+    /// part's variance unknown. It fades with a continuous slope over the margins of the box, and in gaps up to three
+    /// quarters unknown. Beyond that it is zero.
     pub fn at(&self, pose: &Pose) -> Correction {
         let point = self.space.point(pose);
         let in_box = self.space.fraction(&point);
@@ -92,7 +94,7 @@ impl Compensation {
         Correction { lengths, fraction, reason }
     }
 
-    /// Refuses a model that the map was not made for.
+    /// Refuses a model for which the map was not made.
     pub fn check(&self, model: &Model) -> Result<(), MapError> {
         let own = lengths_at(model, &self.space.centre)?;
         let difference = match own.len() == self.at_centre.len() {
@@ -111,7 +113,7 @@ impl Compensation {
     }
 }
 
-/// Lengths of a model's cables at a pose, whatever their tensions (m).
+/// Lengths of a model's cables at a pose, for any tensions (m).
 fn lengths_at(model: &Model, pose: &Pose) -> Result<Vec<f64>, MapError> {
     let mut state = State::at(model, pose);
     let solution = model.inverse(pose, &vec![f64::NAN; model.cable_count()], &mut state)?;

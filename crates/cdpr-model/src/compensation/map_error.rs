@@ -9,13 +9,13 @@ use crate::statics::StaticsError;
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum MapError {
-    /// A file that is no map.
+    /// A file that cannot be read as a map.
     #[error(transparent)]
     Read(#[from] Box<ReadError>),
     /// All samples at one pose.
     #[error("all samples are at one pose: a map over the workspace needs poses spread over it")]
     OnePose,
-    /// Another robot or composition than the map was made for.
+    /// Another robot or composition than that for which the map was made.
     #[error(
         "the map was made for {robot}, model {model}: its lengths differ by up to {difference_m} m from those of this model"
     )]
@@ -24,13 +24,13 @@ pub enum MapError {
         robot: String,
         /// Model of the map.
         model: String,
-        /// Largest difference of a length at the map's centre (m); NaN where the two have not as many cables.
+        /// Largest difference of a length at the map's centre (m); NaN if the two have different numbers of cables.
         difference_m: f64,
     },
     /// Pose beyond the samples of the map.
     #[error("the pose lies beyond the samples that the map was made of ({reason}): it says nothing there")]
     Outside {
-        /// Reason.
+        /// Reason, with the coordinate farthest out.
         reason: String,
     },
     /// A model without lengths at the map's centre.

@@ -1,4 +1,4 @@
-//! Poses as points, in which a turn counts as the way of the platform's anchors.
+//! Poses as points, with a rotation counted as the displacement of the platform's anchors.
 
 use nalgebra::Vector3;
 use serde::Serialize;
@@ -7,19 +7,20 @@ use super::fade::left;
 use crate::geometry::{Pose, Twist};
 use crate::model::Model;
 
-/// Margin around the samples along a coordinate: this share of its own range, and this one of the largest range at least.
+/// Margin around the samples along a coordinate: a fraction of its own range, but at least a fraction of the largest
+/// range.
 const MARGINS: (f64, f64) = (0.05, 0.01);
 
-/// Reach of the samples along one coordinate about their middle.
+/// Range of the samples along one coordinate about their mean.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Extent {
     /// World axis of the coordinate, `x` to `z` or `rx` to `rz`.
     pub axis: &'static str,
     /// `m` or `rad`.
     pub unit: &'static str,
-    /// Smallest and largest coordinate of the samples, between which the map acts as a whole.
+    /// Smallest and largest coordinate of the samples, between which the map acts fully.
     pub ends: [f64; 2],
-    /// Way beyond the ends over which it fades to zero.
+    /// Distance beyond the ends over which it fades to zero.
     pub margin: f64,
 }
 
@@ -27,7 +28,7 @@ pub struct Extent {
 #[derive(Clone, Debug)]
 pub(super) struct PoseSpace {
     pub(super) centre: Pose,
-    /// Metres that a radian counts.
+    /// Length that corresponds to one radian (m).
     pub(super) lever: f64,
     /// Unit displacements of the motion pattern.
     basis: Vec<Twist>,
@@ -36,7 +37,7 @@ pub(super) struct PoseSpace {
 }
 
 impl PoseSpace {
-    /// The space about the middle of these poses.
+    /// The space about the mean of these poses.
     pub(super) fn about(model: &Model, poses: &[Pose]) -> Self {
         let first = poses.first().copied().unwrap_or_else(Pose::identity);
         let count = poses.len().max(1) as f64;
@@ -63,25 +64,25 @@ impl PoseSpace {
         self.basis.iter().map(along).collect()
     }
 
-    /// Way beyond the ends of every coordinate over which a map fades (m).
+    /// Distance beyond the ends of every coordinate over which a map fades (m).
     fn margins(&self) -> impl Iterator<Item = f64> {
         let size = |range: &[f64; 2]| range[1] - range[0];
         let largest = self.ranges.iter().map(size).fold(0.0, f64::max);
         self.ranges.iter().map(move |range| (MARGINS.0 * size(range)).max(MARGINS.1 * largest))
     }
 
-    /// Ways by which a point lies beyond the samples, as parts of the margins.
+    /// Distances by which a point lies beyond the samples, as fractions of the margins.
     fn excesses(&self, point: &[f64]) -> impl Iterator<Item = f64> {
         let beyond = |(&own, &[low, high]): (&f64, &[f64; 2])| (low - own).max(own - high).max(0.0);
         point.iter().zip(&self.ranges).map(beyond).zip(self.margins()).map(|(excess, margin)| excess / margin)
     }
 
-    /// Share of a map that acts at a point: 1 in the box of the samples, over its margins falling to 0.
+    /// Fraction of a map that acts at a point: 1 in the box of the samples, falling over its margins to 0.
     pub(super) fn fraction(&self, point: &[f64]) -> f64 {
         self.excesses(point).map(left).product()
     }
 
-    /// Reason why a point lies beyond the samples, by the coordinate that is farthest out; `None` if it is among them.
+    /// Reason that a point lies beyond the samples, by the coordinate farthest out; `None` if it is among them.
     pub(super) fn beyond(&self, point: &[f64]) -> Option<String> {
         let farthest = self.excesses(point).enumerate().filter(|(_, part)| *part > 0.0);
         let (place, _) = farthest.max_by(|(_, one), (_, other)| one.total_cmp(other))?;
@@ -90,7 +91,7 @@ impl PoseSpace {
         Some(format!("{axis} is {own:.4} {unit} from their middle, they end at {low:.4} and {high:.4}"))
     }
 
-    /// Reach of the samples along every coordinate.
+    /// Range of the samples along every coordinate.
     pub(super) fn extents(&self) -> Vec<Extent> {
         let extent = |((direction, range), margin): ((&Twist, &[f64; 2]), f64)| {
             let scale = self.scale(direction);
@@ -104,7 +105,7 @@ impl PoseSpace {
         self.basis.iter().zip(&self.ranges).zip(self.margins()).map(extent).collect()
     }
 
-    /// Metres or radians of a coordinate that counts one metre.
+    /// Factor from a coordinate (m) to the unit of its direction, m or rad.
     fn scale(&self, direction: &Twist) -> f64 {
         if is_turn(direction) { 1.0 / self.lever } else { 1.0 }
     }

@@ -1,4 +1,4 @@
-//! A control model as a controller uses it: lengths for poses.
+//! A control model as a controller uses it: from poses to lengths.
 
 use super::input_error::InputError;
 use super::operation_error::OperationError;
@@ -10,7 +10,8 @@ use crate::model::Model;
 use crate::statics::{Load, StaticsError};
 use crate::tension::{Limits, Method};
 
-/// A control model with its way to choose tensions. A model alone chooses those nearest to the middle of the limits.
+/// A control model with its method for choosing tensions. `Control::from` a model chooses those nearest to the middle
+/// of the limits.
 ///
 /// ```
 /// use cdpr::control::Control;
@@ -27,9 +28,9 @@ use crate::tension::{Limits, Method};
 pub struct Control<'a> {
     /// The model.
     pub model: &'a Model,
-    /// How it chooses the tensions that it commands; without effect where its lengths depend on none.
+    /// Method that chooses the commanded tensions; no effect if lengths do not depend on tensions.
     pub tension_method: Method,
-    /// Map that corrects its lengths; over the margin around the samples of the map they fade to those of the model.
+    /// Map that corrects its lengths; over the margin around the map's samples the correction fades to zero.
     pub compensation: Option<&'a Compensation>,
 }
 
@@ -40,8 +41,9 @@ impl<'a> From<&'a Model> for Control<'a> {
 }
 
 impl Control<'_> {
-    /// Table for a controller: the lengths to send at poses, in the units of the model's encoders, and the tensions that they bring, as samples
-    /// hold them, with the poses at which the map fades; the first pose without lengths is an error, and so is one beyond the map.
+    /// Table for a controller: the lengths to send at poses, in the units of the model's encoders, with the tensions
+    /// that belong to them, as samples, and the poses at which the map fades. The first pose without lengths is an
+    /// error, and so is one beyond the map.
     pub fn table(self, poses: &[Pose]) -> Result<(Samples, Beyond), OperationError> {
         let mut controller = Controller::new(self)?;
         let mut state = State::at_home(self.model);
@@ -68,7 +70,7 @@ impl Control<'_> {
     }
 }
 
-/// Choice of tensions of a control model.
+/// Solver, load and limits with which a control model chooses tensions.
 #[derive(Clone, Debug)]
 pub struct TensionChoice<'a> {
     /// Solver of the tension distribution.
@@ -80,7 +82,7 @@ pub struct TensionChoice<'a> {
 }
 
 impl<'a> Control<'a> {
-    /// Refuses a map for a question that cannot take one.
+    /// Refuses a map for a task that cannot use one.
     pub fn without_map(self, question: &'static str, reason: &'static str) -> Result<Self, InputError> {
         match self.compensation {
             Some(_) => Err(InputError::Map { question, reason }),
@@ -88,12 +90,12 @@ impl<'a> Control<'a> {
         }
     }
 
-    /// True where its lengths belong to tensions that it has to choose.
+    /// True if lengths depend on tensions, which it has to choose.
     pub fn chooses_tensions(&self) -> bool {
         self.model.needs_tensions()
     }
 
-    /// Choice of the tensions; `None` if lengths belong to none.
+    /// The choice of tensions; `None` if lengths do not depend on tensions.
     pub fn tension_choice(self) -> Result<Option<TensionChoice<'a>>, InputError> {
         if !self.chooses_tensions() {
             return Ok(None);
@@ -111,9 +113,9 @@ pub(super) struct Controller<'a> {
     model: &'a Model,
     /// Map that corrects its lengths.
     compensation: Option<&'a Compensation>,
-    /// How tensions are chosen, where lengths depend on them.
+    /// Solver of the tensions, if lengths depend on them.
     distribution: Option<distribution::Solver<'a>>,
-    /// The tensions chosen last (N); NaN where lengths depend on none.
+    /// The last tensions (N); NaN if lengths do not depend on them.
     tensions: Vec<f64>,
 }
 
@@ -133,23 +135,23 @@ impl<'a> Controller<'a> {
         self.compensation
     }
 
-    /// The same without its map.
+    /// The controller without its map.
     pub(super) fn without_map(self) -> Self {
         Self { compensation: None, ..self }
     }
 
-    /// The model, where its lengths do not depend on tensions and no map corrects them.
+    /// The model, if its lengths do not depend on tensions and no map corrects them.
     pub(super) fn kinematic(&self) -> Option<&'a Model> {
         (self.distribution.is_none() && self.compensation.is_none()).then_some(self.model)
     }
 
-    /// Tensions of the lengths last computed (N), where lengths depend on them.
+    /// Tensions of the last lengths (N), if lengths depend on them.
     pub(super) fn tensions(&self) -> Option<&[f64]> {
         self.distribution.is_some().then_some(self.tensions.as_slice())
     }
 
-    /// Lengths for a pose in the units of the model's encoders, corrected by the map (m), its cables coming from the memories of the state; or why there are none. `tensions` (N) are those to
-    /// command in place of its own choice, where lengths depend on them.
+    /// Lengths for a pose in the units of the model's encoders (m), corrected by the map, with cables that start from
+    /// the memories of the state. `tensions` (N), if given, replace its own choice where lengths depend on them.
     pub(super) fn lengths(
         &mut self,
         pose: &Pose,
@@ -168,7 +170,7 @@ impl<'a> Controller<'a> {
         self.compensation.map(|map| map.at(pose))
     }
 
-    /// [`Controller::lengths`] of the model alone.
+    /// [`Controller::lengths`] without the map.
     fn modelled(
         &mut self,
         pose: &Pose,
@@ -189,7 +191,8 @@ impl<'a> Controller<'a> {
     }
 }
 
-/// Lengths with which a model's cables, never loaded before, have these tensions at a pose, in the units of its encoders (m).
+/// Lengths with which a model's cables, never loaded before, have these tensions (N) at a pose, in the units of its
+/// encoders (m).
 pub fn lengths_at(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<Vec<f64>, StaticsError> {
     model.inverse(pose, tensions, &mut State::at(model, pose))?.recorded_lengths()
 }

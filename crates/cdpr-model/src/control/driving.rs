@@ -1,4 +1,4 @@
-//! A control model on a machine, asked from several threads.
+//! A control model on a machine, used from several threads.
 
 use super::input_error::InputError;
 use super::operation::Operation;
@@ -8,10 +8,10 @@ use crate::control::{CommandedPose, History, Reach};
 use crate::geometry::Pose;
 use crate::model::Model;
 
-/// Control model, machine and winches that are set; every question begins from a copy of the same operation.
+/// Control model, machine and set winches; every answer begins from a copy of the same operation.
 ///
-/// Every pose is answered for itself: machines with history come to each one from the initial pose, for in an order of their
-/// own the points of a map would say more of the order than of the machine.
+/// The answer at a pose does not depend on other poses: machines with hysteresis come to each one from the initial
+/// pose, since in an order of their own the points of a map would depend on that order.
 #[derive(Clone, Debug)]
 pub struct Driving<'a> {
     control: Control<'a>,
@@ -20,18 +20,19 @@ pub struct Driving<'a> {
     operation: Operation<'a>,
 }
 
-/// Poses that a thread answers before it looks for more: the same on any number of threads, as batches are answered together.
+/// Number of poses that a thread takes at a time: the same for any number of threads, since batches are answered
+/// together.
 const SHARE: usize = 64;
 
 impl<'a> Driving<'a> {
-    /// Refuses what [`Operation::new`] refuses; `offsets` are those of [`super::winch_offsets`] (m).
+    /// Refuses the input that [`Operation::new`] refuses; `offsets` are those of [`super::winch_offsets`] (m).
     pub fn new(control: impl Into<Control<'a>>, machine: &'a Model, offsets: &[f64]) -> Result<Self, InputError> {
         let control = control.into();
         let operation = Operation::new(control, machine, offsets)?;
         Ok(Self { control, offsets: offsets.to_vec(), history: None, operation })
     }
 
-    /// Cables that remember come to every pose from this one in steps, as [`Operation::with_history`] says.
+    /// Lets cables with memory come to every pose from this one in steps, as in [`Operation::with_history`].
     #[must_use]
     pub fn with_history<'h>(mut self, history: impl Into<Option<&'h History>>, start: &Pose) -> Self {
         let Some(history) = history.into() else { return self };
@@ -41,14 +42,14 @@ impl<'a> Driving<'a> {
         self
     }
 
-    /// The machine comes to rest where it is led from the commanded pose, or nowhere: no other starts are tried for it.
+    /// Without further starts of the forward problem: the machine comes to rest from the commanded pose, or not at all.
     #[must_use]
     pub fn without_restarts(mut self) -> Self {
         self.operation = self.operation.without_restarts();
         self
     }
 
-    /// The same under the control model without its map; `None` if it has none.
+    /// The same with the control model without its map; `None` if it has none.
     pub fn without_map(&self) -> Option<Self> {
         let operation = self.operation.without_map()?;
         Some(Self { control: Control { compensation: None, ..self.control }, operation, ..self.clone() })
@@ -69,12 +70,12 @@ impl<'a> Driving<'a> {
         &self.offsets
     }
 
-    /// How cables that remember come to every pose, and from where.
+    /// History with which cables with memory come to every pose, and its initial pose.
     pub fn history(&self) -> Option<&(History, Pose)> {
         self.history.as_ref()
     }
 
-    /// An operation of one's own, as set.
+    /// A copy of the operation as it was set.
     pub fn operation(&self) -> Operation<'a> {
         self.operation.clone()
     }
@@ -84,7 +85,7 @@ impl<'a> Driving<'a> {
         self.operation().answer(&CommandedPose::at(*pose))
     }
 
-    /// Outcome of each of many commanded poses; threads share them with the feature `parallel`, with the same answers.
+    /// Outcomes of many commanded poses; with the feature `parallel` threads divide them, with the same answers.
     pub fn outcomes(&self, poses: &[Pose]) -> Vec<Outcome> {
         self.each_share(poses, |poses| {
             let mut operation = self.operation();
@@ -92,7 +93,7 @@ impl<'a> Driving<'a> {
         })
     }
 
-    /// Applies `of` to shares of many items, which threads take in turn; answers in the order of the items.
+    /// Applies `of` to parts of many items, which threads take in turn; returns the answers in the order of the items.
     pub fn each_share<I: Sync, T: Send>(&self, items: &[I], of: impl Fn(&[I]) -> Vec<T> + Send + Sync) -> Vec<T> {
         #[cfg(feature = "parallel")]
         {

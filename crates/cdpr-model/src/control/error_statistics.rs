@@ -12,7 +12,7 @@ pub struct PoseErrorStatistics {
     pub rms: f64,
     /// Median.
     pub median: f64,
-    /// 95 % of the poses are better.
+    /// 95 % quantile: 95 % of the errors are smaller.
     pub p95: f64,
     /// Largest.
     pub max: f64,
@@ -25,7 +25,7 @@ pub struct LengthErrorStatistics {
     pub mean_abs: f64,
     /// Root mean square.
     pub rms: f64,
-    /// 95 % of the lengths are better.
+    /// 95 % quantile of the magnitudes: 95 % are smaller.
     pub p95: f64,
     /// Largest magnitude.
     pub max: f64,
@@ -45,7 +45,7 @@ pub struct TensionErrorStatistics {
 }
 
 impl PoseErrorStatistics {
-    /// Statistics of magnitudes; NaN without any.
+    /// Statistics of magnitudes; NaN if there are none.
     pub fn of(values: &[f64]) -> Self {
         let mut sorted = values.to_vec();
         sorted.sort_by(f64::total_cmp);
@@ -60,7 +60,7 @@ impl PoseErrorStatistics {
 }
 
 impl LengthErrorStatistics {
-    /// Statistics of signed errors; NaN without any.
+    /// Statistics of signed errors; NaN if there are none.
     pub fn of(values: &[f64]) -> Self {
         let mut sorted: Vec<f64> = values.iter().map(|x| x.abs()).collect();
         sorted.sort_by(f64::total_cmp);
@@ -74,7 +74,7 @@ impl LengthErrorStatistics {
 }
 
 impl TensionErrorStatistics {
-    /// Statistics of signed errors, sample by sample; NaN without any.
+    /// Statistics of signed errors, sample by sample; NaN if there are none.
     pub fn of(values: &[f64], cable_count: usize) -> Self {
         let norms: Vec<f64> = values.chunks(cable_count.max(1)).map(norm).collect();
         let magnitudes: Vec<f64> = values.iter().map(|x| x.abs()).collect();
@@ -87,7 +87,7 @@ impl TensionErrorStatistics {
     }
 }
 
-/// Mean; NaN without any value.
+/// Mean; NaN if there are no values.
 pub fn mean(values: &[f64]) -> f64 {
     values.iter().sum::<f64>() / values.len() as f64
 }
@@ -112,7 +112,7 @@ pub fn quantile(sorted: &[f64], fraction: f64) -> f64 {
     sorted[below] + (place - below as f64) * (sorted[above] - sorted[below])
 }
 
-/// Diagonal of the box of positions, d of eq. 3.5 and 3.7 (m); 0 without any.
+/// Diagonal of the bounding box of positions, d of eq. 3.5 and 3.7 (m); 0 if there are none.
 pub fn diagonal<I: Iterator<Item = Vector3<f64>>>(positions: impl Fn() -> I) -> f64 {
     let extent = |axis: usize| {
         let along = || positions().map(|position| position[axis]);

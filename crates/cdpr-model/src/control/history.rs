@@ -1,4 +1,4 @@
-//! How a machine whose cables remember comes to a pose.
+//! The path on which a machine with hysteresis in its cables comes to a pose.
 
 use serde::{Deserialize, Serialize};
 
@@ -33,7 +33,7 @@ pub enum Reach {
 }
 
 impl History {
-    /// How a machine comes to the poses: as stated, or from the initial pose; `None` if its cables do not remember.
+    /// History of a machine: as stated, by default from the initial pose; `None` if its cables have no memory.
     pub fn of(machine: &Model, stated: Option<Self>) -> Option<Self> {
         let remembers = machine.composition().stretch.remembers();
         remembers.then(|| stated.unwrap_or_default())

@@ -1,9 +1,10 @@
-//! Initial tensions that suit a path, an area or a volume (eq. 3.42), and the way a real robot is brought to them.
+//! Initial tensions that suit a path, an area or a volume (eq. 3.42), and the stages in which a real robot is brought
+//! to them.
 //!
-//! Winches are set once, at the initial pose; everywhere else tensions follow from the lengths that the control model sends.
-//! [`optimum`] looks for the f_ini, within limits and in balance with the load, whose emerging tensions come nearest to a target
-//! over given poses: min Σ ‖f_ref(x) − f̂(x, f_ini)‖². The sum over evenly spread poses of a path, an area or a volume stands for the
-//! integral over it. [`approach`] leads from slack winches there.
+//! Winches are set once, at the initial pose; everywhere else tensions follow from the lengths that the control model
+//! sends. [`optimum`] finds the f_ini, within limits and in balance with the load, for which the emerging tensions are
+//! nearest to a target over given poses: min Σ ‖f_ref(x) − f̂(x, f_ini)‖². The sum over evenly spread poses of a path,
+//! an area or a volume stands for the integral over it. [`approach`] leads there from slack winches.
 
 mod approach;
 mod descent;
@@ -24,7 +25,7 @@ use crate::geometry::Pose;
 use crate::model::Model;
 use crate::tension::Limits;
 
-/// Winches to be set.
+/// Setting of winches, as an optimization problem.
 #[derive(Clone, Debug)]
 pub struct Task<'a> {
     /// Control model, which sends the lengths.
@@ -37,41 +38,41 @@ pub struct Task<'a> {
     pub pose: Pose,
     /// Limits of f_ini (N).
     pub limits: &'a Limits,
-    /// How a machine with history comes to the poses.
+    /// Path on which a machine with hysteresis comes to the poses.
     pub history: Option<History>,
-    /// Tensions that are set now (N), where they are known: one more start of the search.
+    /// Tensions that are set now (N), if known: one more start of the search.
     pub now: Option<Vec<f64>>,
 }
 
-/// Which tensions are wanted at every pose, f_ref: tensions of their own (N), or those of a method, `closed-form` for the middle of
-/// the limits (eq. 3.41), `minimum` for the least.
+/// Target tensions at every pose, f_ref: given tensions (N), or those of a method, `closed-form` for the middle of the
+/// limits (eq. 3.41), `minimum` for the least.
 ///
-/// Tensions of their own are projected: those that balance the load at the pose and are nearest to them count, within the limits or
-/// not. A pose at which they would let a cable push has no target ([`Fit::without_target`]).
+/// Given tensions are projected on those that balance the load at the pose, within the limits or not. A pose at which a
+/// cable would then push has no target ([`Fit::without_target`]).
 pub type Target = Initial;
 
-/// How well emerging tensions follow the target.
+/// Distance of emerging tensions from the target.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Fit {
     /// Root of the mean squared distance of a cable's tension from its target (N).
     pub rms: f64,
-    /// The largest distance (N).
+    /// The largest distance of a tension from its target (N).
     pub largest: f64,
-    /// Poses that count: the machine comes to rest there, and there is a target.
+    /// Number of poses that count: the machine comes to rest there, and there is a target.
     pub poses: usize,
     /// Poses (0-based) that have no target.
     pub without_target: Vec<usize>,
-    /// Why the first of those has none.
+    /// Reason that the first of those has none.
     pub no_target: Option<InputError>,
-    /// Poses (0-based) at which the machine comes to no rest.
+    /// Poses (0-based) at which the machine does not come to rest.
     pub without_rest: Vec<usize>,
-    /// Poses at which a tension breaks its limits.
+    /// Number of poses at which a tension is outside its limits.
     pub outside: usize,
-    /// The worst of those.
+    /// The tension farthest outside its limits.
     pub worst: Option<Outside>,
 }
 
-/// A tension that breaks its limits.
+/// A tension outside its limits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outside {
     /// Pose (0-based).
@@ -82,7 +83,7 @@ pub struct Outside {
     pub tension: f64,
 }
 
-/// Initial tensions with what they lead to.
+/// Initial tensions with the resulting fit.
 #[must_use = "check `is_settled` before using the tensions"]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Optimum {
@@ -92,15 +93,15 @@ pub struct Optimum {
     pub offsets: Vec<f64>,
     /// The fit with them.
     pub fit: Fit,
-    /// Cables (0-based) whose initial tension stands at a limit.
+    /// Cables (0-based) with an initial tension at a limit.
     pub at_limits: Vec<usize>,
     /// Steps taken from the best start.
     pub iterations: u32,
-    /// Tensions that the search has started from.
+    /// Number of starts of the search.
     pub starts: usize,
-    /// Starts that led to these tensions.
+    /// Number of starts that led to these tensions.
     pub agreeing: usize,
-    /// False where the steps did not come to rest: better tensions may exist.
+    /// False if the steps did not converge: better tensions may exist.
     pub is_settled: bool,
 }
 
@@ -109,21 +110,21 @@ pub(crate) fn offsets_of(task: &Task<'_>, tensions: &[f64]) -> Result<Vec<f64>, 
     winch_offsets(&given(tensions), task.set_with, task.machine, &task.pose)
 }
 
-/// The fit of emerging tensions when the winches have these offsets (m); nothing counts where no pose has a target.
+/// The fit of emerging tensions with these winch offsets (m); no poses count if none has a target.
 pub fn fit(task: &Task<'_>, offsets: &[f64], target: &Target, poses: &[Pose]) -> Result<Fit, InputError> {
     let wanted = wanted(task, target, poses)?;
     Ok(Fit::of(&emerging(task, offsets, poses)?, &wanted, task.limits))
 }
 
-/// Initial tensions that are given, and nothing else.
+/// Initial tensions that are given, without other entries.
 fn given(tensions: &[f64]) -> Initial {
     Initial { tensions_N: Some(tensions.to_vec()), ..Initial::default() }
 }
 
-/// f_ref at a pose, or why there is none.
+/// f_ref at a pose (N), or the reason that there is none.
 type WantedTensions = Result<Vec<f64>, InputError>;
 
-/// f_ref at each pose. Refuses a target that no pose has.
+/// f_ref at each pose. An error if no pose has a target.
 fn wanted(task: &Task<'_>, target: &Target, poses: &[Pose]) -> Result<Vec<WantedTensions>, InputError> {
     if !task.machine.needs_tensions() {
         return Err(InputError::RigidMachine);
@@ -136,7 +137,7 @@ fn wanted(task: &Task<'_>, target: &Target, poses: &[Pose]) -> Result<Vec<Wanted
     }
 }
 
-/// Tensions that emerge at each pose (N); `None` if the machine comes to no rest.
+/// Tensions that emerge at each pose (N); `None` if the machine does not come to rest.
 fn emerging(task: &Task<'_>, offsets: &[f64], poses: &[Pose]) -> Result<Vec<Option<Vec<f64>>>, InputError> {
     let driving = driving(task, offsets)?;
     let tensions = driving.outcomes(poses).into_iter();

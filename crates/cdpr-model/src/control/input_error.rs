@@ -9,7 +9,7 @@ use crate::model::{CompositionError, Model, ModelError, WinchError};
 use crate::statics::{LoadError, StaticsError};
 use crate::tension::{self, LimitsError};
 
-/// Mistake in a pair of control model and machine, or in how its winches are to be set.
+/// Error in a pair of control model and machine, or in the setting of its winches.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum InputError {
     /// Control model and machine are different robots.
@@ -36,13 +36,13 @@ pub enum InputError {
         /// Entries given.
         found: usize,
     },
-    /// The winches cannot be set at the initial pose.
+    /// A cable has no path at the initial pose.
     #[error("at the initial pose, {0}")]
     Initial(#[from] GeometryError),
-    /// The initial tensions are no tensions of the cables.
+    /// The initial tensions are not possible for the cables.
     #[error("at the initial pose, {0}")]
     InitialTensions(#[from] StaticsError),
-    /// Offsets of elastic cables need the tensions that they bring.
+    /// Offsets of elastic cables are requested without initial tensions.
     #[error(
         "the winch offsets of elastic cables depend on the initial tensions: add tensions_N or tension_method to [initial], or say offset = \"none\""
     )]
@@ -50,13 +50,13 @@ pub enum InputError {
     /// No tensions balance the load at the initial pose.
     #[error("at the initial pose no tensions balance the load: {reason}; choose another pose or other tensions")]
     NotBalanced {
-        /// Why not.
+        /// Reason that the load is not balanced.
         reason: String,
     },
     /// The load on an elastic robot is unknown.
     #[error(transparent)]
     Load(#[from] LoadError),
-    /// An elastic machine that cannot answer.
+    /// An elastic machine whose forward problem cannot be posed.
     #[error("the machine cannot answer: {0}")]
     Machine(#[from] elastostatics::InputError),
     /// The tension limits are unknown or leave nothing to choose.
@@ -65,67 +65,67 @@ pub enum InputError {
     /// Numbers that no tension distribution can use.
     #[error("at the initial pose, {0}")]
     Distribution(#[from] tension::InputError),
-    /// Motor angles that the winches of control model or machine cannot have.
+    /// Motor angles outside the range of the winches of control model or machine.
     #[error(transparent)]
     Winch(#[from] WinchError),
-    /// Motor angles are asked for where nobody knows of drums.
+    /// Motor angles are requested, but neither model has drums.
     #[error("neither control model nor machine has the effect `drum`, so there are no motor angles to record")]
     NoDrum,
-    /// Every pose would be reached.
+    /// No requirement is stated, so that every pose would be reached.
     #[error("{}", no_requirement(*is_elastic))]
     NoRequirement {
-        /// Whether the machine has tensions that limits could judge.
+        /// True if the machine has tensions to which limits apply.
         is_elastic: bool,
     },
-    /// Errors of tensions are judged where none are commanded, or none emerge.
+    /// Errors of tensions are to be judged, but none are commanded, or none emerge.
     #[error(
         "[limits] tension_error_max_N compares emerging with commanded tensions, but {}: give {} an elastic model, or take the key out",
         if *commands { "none emerge from a rigid machine" } else { "the control model commands lengths alone" },
         if *commands { "[machine]" } else { "[control]" }
     )]
     NoCommandedTensions {
-        /// Whether the control model commands tensions, so that the machine is at fault.
+        /// True if the control model commands tensions, so that the machine has none.
         commands: bool,
     },
-    /// One initial tension cannot change alone.
+    /// A single initial tension is to vary, which the balance does not allow.
     #[error("initial tensions balance the load, so that none of them changes alone: vary winch-offset instead")]
     TensionsVaryTogether,
-    /// A robot that lacks what its side of the study asks for, or a deviation that leaves no model.
+    /// A robot without the keys for its model, or a deviation that leaves no valid model.
     #[error(transparent)]
     Model(#[from] ModelError),
-    /// Effects that cannot be understood.
+    /// A text that is no composition of effects.
     #[error(transparent)]
     Composition(#[from] CompositionError),
     /// An initial pose that does not fit the robot.
     #[error("[initial] pose: {0}")]
     InitialPose(#[from] PatternError),
-    /// Tensions are asked of a machine that has none.
+    /// Tensions of a rigid machine are requested.
     #[error(
         "the machine's cables are rigid, so no tensions emerge: give [machine] an elastic model, e.g. model = \"elastic\""
     )]
     RigidMachine,
-    /// More answers than memory should hold.
+    /// More answers than the limit of memory.
     #[error("{robots} robots at {poses} poses are more than {limit} answers: draw fewer robots or command fewer poses")]
     TooManyRobots {
         /// Robots drawn.
         robots: usize,
         /// Poses commanded.
         poses: usize,
-        /// Most answers.
+        /// Largest number of answers.
         limit: usize,
     },
-    /// A map that the study names and nobody has given.
+    /// A map that the study names but that was not given.
     #[error("[control] compensation names the map {file}, which is not there to drive with: give it to the experiment")]
     NoMap {
         /// Its file.
         file: String,
     },
-    /// A map, for a question that cannot take one.
+    /// A map for a task that cannot use one.
     #[error("[control] compensation: {question} cannot take a map: {reason}; take the key out")]
     Map {
-        /// Question.
+        /// Name of the task.
         question: &'static str,
-        /// Reason.
+        /// Reason that it cannot use a map.
         reason: &'static str,
     },
     /// No poses to command.

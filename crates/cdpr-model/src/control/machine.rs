@@ -1,4 +1,4 @@
-//! A machine: what answers to lengths.
+//! A machine: the model that answers to lengths.
 
 use super::input_error::InputError;
 use super::outcome::Outcome;
@@ -8,7 +8,7 @@ use crate::geometry::{Pose, PoseBatch};
 use crate::model::Model;
 use crate::scalar::LaneTable;
 
-/// A machine and how its forward problem is solved.
+/// A machine and the settings of its forward problem.
 #[derive(Clone, Debug)]
 pub(super) struct Machine<'a> {
     model: &'a Model,
@@ -26,24 +26,25 @@ impl<'a> Machine<'a> {
         self.model
     }
 
-    /// True when tensions emerge.
+    /// True if tensions emerge.
     pub(super) fn knows_tensions(&self) -> bool {
         self.problem == ForwardProblem::Equilibrium
     }
 
-    /// True when the cables remember how they came to a tension.
+    /// True if the cables have a memory.
     pub(super) fn remembers(&self) -> bool {
         self.model.composition().stretch.remembers()
     }
 
-    /// The forward problem starts from the commanded pose alone from now on.
+    /// The machine with a forward problem that starts only from the commanded pose.
     pub(super) fn without_restarts(mut self) -> Self {
         self.settings.equilibrium.max_restarts = 0;
         self
     }
 
-    /// Emerging poses and tensions for many controlled lengths at once (m; a row per cable), sought from these poses; with
-    /// `only_taut` those with every cable taut. `None` if the machine fits lengths, and where the lengths are no numbers.
+    /// Emerging poses and tensions for many controlled lengths at once (m; a row per cable), searched from these poses;
+    /// with `only_taut` only equilibria in which every cable is taut. `None` if the machine fits lengths, or if lengths
+    /// are not finite.
     pub(super) fn answer_all(
         &self,
         lengths: &LaneTable,
@@ -57,7 +58,7 @@ impl<'a> Machine<'a> {
         (answered && self.knows_tensions()).then_some(solutions)
     }
 
-    /// Outcome of lengths sent to the winches (m, in the units of the encoders), sought from a pose.
+    /// Outcome for lengths sent to the winches (m, in the units of the encoders), searched from a pose.
     pub(super) fn answer(&self, sent: Vec<f64>, guess: &Pose, state: &mut State) -> Outcome {
         let controlled: Vec<f64> =
             sent.iter().enumerate().map(|(cable, &length)| self.model.controlled_length(cable, length)).collect();
@@ -87,7 +88,7 @@ impl Outcome {
             equilibrium::Status::Singular => Status::Singular,
             equilibrium::Status::Unstable => Status::Unstable,
         };
-        // a solver's remark on a converged answer is no reason
+        // a solver's remark on a converged answer is not a reason
         self.reason = (self.status != Status::Converged).then(|| {
             solution.reason.clone().unwrap_or_else(|| "the machine's forward problem has no solution".to_owned())
         });
@@ -95,7 +96,7 @@ impl Outcome {
         if machine.knows_tensions() {
             self.tensions = Some(solution.tensions.clone());
         } else if let Ok(lengths) = model.cable_lengths(&solution.pose) {
-            // a rigid platform goes to the least-squares pose, and the winches take up what is slack there
+            // a rigid platform goes to the least-squares pose, and the winches take up the slack there
             let recorded = |(cable, &length): (usize, &f64)| model.recorded_length(cable, length);
             self.recorded = lengths.iter().enumerate().map(recorded).collect();
         }

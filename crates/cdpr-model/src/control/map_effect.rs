@@ -4,12 +4,13 @@ use serde::Serialize;
 
 use crate::compensation::Beyond;
 
-/// Effect of a map over commanded poses, beside which stands what was found with it.
+/// Effect of a map over commanded poses, given with the results for the map.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MapEffect<T> {
-    /// Poses beyond the map, to which the control model drives without correction, and those in its margin, where the correction fades.
+    /// Poses beyond the map, at which the control model drives without correction, and those in its margin, where the
+    /// correction fades.
     #[serde(flatten)]
     pub beyond: Beyond,
-    /// Findings of the control model alone at the same poses.
+    /// Results of the control model without the map at the same poses.
     pub without: T,
 }

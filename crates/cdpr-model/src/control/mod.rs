@@ -1,7 +1,10 @@
-//! A controller that drives a machine: the lengths that a control model sends for poses, and the pose and tensions that emerge.
+//! A controller that drives a machine: the lengths that a control model sends for poses, and the pose and tensions that
+//! emerge.
 //!
-//! [`Control`] is a control model with its way to choose tensions and its map; [`Operation`] asks a machine what emerges, [`Driving`] from several
-//! threads. [`initial_tensions`] and [`winch_offsets`] say how the winches were set before, and [`initial_tension`] which tensions suit a path.
+//! [`Control`] is a control model with its method for choosing tensions and its map; [`Operation`] answers with the
+//! pose and tensions that emerge on a machine, [`Driving`] from several threads. [`initial_tensions`] and
+//! [`winch_offsets`] describe how the winches were set before, and [`initial_tension`] finds the tensions that suit a
+//! path.
 
 mod command;
 mod controller;

@@ -17,26 +17,27 @@ use crate::scalar::LaneTable;
 
 /// Emerging poses and tensions of many commands.
 pub struct Emerged {
-    /// Which of the commands have been sent.
+    /// Indices of the commands that were sent.
     pub commanded: Vec<usize>,
-    /// Solution of each of those.
+    /// Solution of each command that was sent.
     pub solutions: Solutions,
-    /// Tensions commanded, cable by cable for each of those (N); empty where lengths belong to none.
+    /// Commanded tensions, cable by cable for each of those commands (N); empty if lengths do not depend on tensions.
     pub commanded_tensions: Vec<f64>,
 }
 
-/// A control model on a machine whose winches are set, to be asked pose by pose. A clone is a snapshot: it goes on from the same states
-/// to the same bytes.
+/// A control model on a machine with set winches, which answers pose by pose. A clone is a snapshot: it continues from
+/// the same states to the same bytes.
 ///
-/// A kinematic control model sends its geometric lengths. An elastic one sends the controlled lengths q_θ at which its cables,
-/// at the commanded pose and under its own load, have the tensions nearest to the middle of the limits (the exact
-/// distribution of `cdpr tension`), or those of another method that [`Control`] names. Both send them in the units of their own
-/// encoders, length_scale · q_θ + length_offset, corrected by the map that [`Control`] names, which is zero beyond its margin.
-/// What winches are told is motor angles: where one of the two models has the effect `drum`, the angles at which the control
-/// model's drums (without the effect: ideal winches) have its lengths, and the machine pays out what its drums do at them.
-/// `offsets` (m, one per cable) are added: those of [`super::winch_offsets`], or zeros. The machine takes scale and offset of
-/// its own encoders away and answers by its forward problem ([`crate::equilibrium::forward_problem`]): elastic cables, and rigid
-/// ones too few to hold the platform, pull or are slack; other rigid ones fit best.
+/// A kinematic control model sends its geometric lengths. An elastic one sends the controlled lengths q_θ at which its
+/// cables, at the commanded pose and under its own load, have the tensions nearest to the middle of the limits (the
+/// exact distribution of `cdpr tension`), or those of another method that [`Control`] names. Both send them in the
+/// units of their own encoders, length_scale · q_θ + length_offset, corrected by the map that [`Control`] names, which
+/// is zero beyond its margin. Winches are commanded by motor angles: if one of the two models has the effect `drum`,
+/// these are the angles at which the control model's drums (without the effect: ideal winches) have its lengths, and
+/// the machine pays out the lengths of its own drums at them. `offsets` (m, one per cable) are added: those of
+/// [`super::winch_offsets`], or zeros. The machine removes scale and offset of its own encoders and answers by its
+/// forward problem ([`crate::equilibrium::forward_problem`]): elastic cables, and rigid ones too few to hold the
+/// platform, pull or are slack; other rigid ones fit their lengths best.
 #[derive(Clone, Debug)]
 pub struct Operation<'a> {
     control: Controller<'a>,
@@ -47,16 +48,16 @@ pub struct Operation<'a> {
     way: Option<PathTaken>,
 }
 
-/// States of the control model, which remembers what it commanded, and of the machine.
+/// States of the control model, with the memories of its commands, and of the machine.
 #[derive(Clone, Debug)]
 struct States {
     control: State,
     machine: State,
 }
 
-/// Point of the path on which a machine with history comes to a pose, as an observer sees it.
+/// Point on the path of a machine with hysteresis, passed to an observer.
 pub enum PathPoint<'w> {
-    /// Control model and machine are where every path begins.
+    /// Control model and machine are at the start of a path.
     Start,
     /// A command and its outcome, before control model and machine settle there.
     Arrival(Arrival<'w>),
@@ -70,23 +71,24 @@ pub struct Arrival<'w> {
     pub outcome: &'w Outcome,
     /// Memories of the control model's cables before it.
     pub control: &'w [Memory],
-    /// Those of the machine's cables.
+    /// Memories of the machine's cables before it.
     pub machine: &'w [Memory],
 }
 
-/// How a machine with history goes on.
+/// Path of a machine with hysteresis so far.
 #[derive(Clone, Debug)]
 struct PathTaken {
     history: History,
-    /// Pose from which every path begins, and the states there.
+    /// Pose at which every path begins.
     start_pose: Pose,
     start: States,
-    /// Last command; nothing before the first one.
+    /// Last command; `None` before the first one.
     last: Option<Pose>,
 }
 
 impl<'a> Operation<'a> {
-    /// Refuses different robots, and elastic ones whose load or limits are unknown.
+    /// An operation with these winch offsets (m). Refuses different robots, and elastic ones with an unknown load or
+    /// limits.
     pub fn new(control: impl Into<Control<'a>>, machine: &'a Model, offsets: &[f64]) -> Result<Self, InputError> {
         let control = control.into();
         check_same_robot(control.model, machine)?;
@@ -100,25 +102,25 @@ impl<'a> Operation<'a> {
         Ok(Self { control, machine, winding, offsets: offsets.to_vec(), states, way: None })
     }
 
-    /// Machine that answers.
+    /// The machine.
     pub fn machine(&self) -> &'a Model {
         self.machine.model()
     }
 
-    /// True when tensions emerge beside the pose.
+    /// True if tensions emerge with the pose.
     pub fn knows_tensions(&self) -> bool {
         self.machine.knows_tensions()
     }
 
-    /// Each pose is reached from the initial one, or from the one before, on a way that the cables of the machine remember, and those of
-    /// the control model as it commanded them; for machines without history this changes nothing. Without it every pose is reached at
-    /// once by cables that were never loaded.
+    /// Reaches each pose from the initial one, or from the one before, on a path that changes the memories of the
+    /// machine's cables, and those of the control model's cables as commanded; no effect for machines without
+    /// hysteresis. Without this call every pose is reached at once by cables that were never loaded.
     #[must_use]
     pub fn with_history<'h>(self, history: impl Into<Option<&'h History>>, start: &Pose) -> Self {
         self.with_history_along(history.into().map(|history| (history, start)), &mut |_| ())
     }
 
-    /// [`Operation::with_history`] that lends the start to whoever goes along.
+    /// [`Operation::with_history`] that passes the start of the path to an observer.
     pub fn with_history_along(
         mut self,
         history: Option<(&History, &Pose)>,
@@ -130,7 +132,7 @@ impl<'a> Operation<'a> {
         self
     }
 
-    /// Sets out from a pose, to which control model and machine come with cables that were never loaded.
+    /// Begins a path at a pose, with control model and machine at rest there and cables that were never loaded.
     fn begin(&mut self, history: &History, start: &Pose, observe: &mut dyn FnMut(PathPoint<'_>)) {
         let state = |model: &Model| State::at(model, start);
         self.states = States { control: state(self.control.model()), machine: state(self.machine.model()) };
@@ -138,7 +140,8 @@ impl<'a> Operation<'a> {
         self.way = Some(PathTaken { history: *history, start_pose: *start, start: self.states.clone(), last: None });
     }
 
-    /// The machine comes to rest where it is led from the commanded pose, or nowhere: no other starts are tried for it.
+    /// The operation without further starts of the forward problem: the machine comes to rest from the commanded pose,
+    /// or not at all.
     #[must_use]
     pub(crate) fn without_restarts(mut self) -> Self {
         self.machine = self.machine.without_restarts();
@@ -148,7 +151,7 @@ impl<'a> Operation<'a> {
         self
     }
 
-    /// The same under the control model without its map, its way begun anew; `None` if it has none.
+    /// The operation with the control model without its map, its path begun anew; `None` if it has none.
     pub fn without_map(&self) -> Option<Self> {
         self.control.compensation()?;
         let Self { control, way, .. } = self.clone();
@@ -159,18 +162,18 @@ impl<'a> Operation<'a> {
         Some(alone)
     }
 
-    /// Poses at which the map that corrects the lengths fades or is zero; empty without a map.
+    /// Poses at which the map's correction fades or is zero; empty without a map.
     pub fn beyond_map(&self, poses: impl Iterator<Item = Pose>) -> Beyond {
         let map = self.control.compensation();
         map.map_or_else(Beyond::default, |map| Beyond::of(poses.map(|pose| map.at(&pose).fraction)))
     }
 
-    /// Lengths that the control model sends for a pose, without the winch offsets (m), or why it has none to send.
+    /// Lengths that the control model sends for a pose, without the winch offsets (m); an error if it has none.
     pub fn command(&mut self, pose: &Pose) -> Result<Vec<f64>, OperationError> {
         self.control.lengths(pose, None, &mut self.states.control)
     }
 
-    /// Controlled lengths of the machine's cables when a pose is commanded (m), or why there are none.
+    /// Controlled lengths of the machine's cables for a commanded pose (m); an error if there are none.
     pub fn controlled_lengths(&mut self, pose: &Pose) -> Result<Vec<f64>, OperationError> {
         let sent = self.sent(&CommandedPose::at(*pose))?;
         let paid_out = self.winding.to_machine(&sent)?;
@@ -178,18 +181,18 @@ impl<'a> Operation<'a> {
         Ok(paid_out.iter().enumerate().map(|(cable, &length)| machine.controlled_length(cable, length)).collect())
     }
 
-    /// Tensions of the command last computed (N), where the control model commands any.
+    /// Tensions of the last command (N), if the control model commands tensions.
     pub fn commanded_tensions(&self) -> Option<Vec<f64>> {
         self.control.tensions().map(<[f64]>::to_vec)
     }
 
-    /// Lengths that the winches pay out when these are sent, in the units of the machine's encoders (m).
+    /// Lengths that the winches pay out for these sent lengths, in the units of the machine's encoders (m).
     pub fn paid_out(&self, sent: &[f64]) -> Result<Vec<f64>, WinchError> {
         self.winding.to_machine(sent)
     }
 
-    /// [`Operation::controlled_lengths`] of many poses at once, with the same bits; `None` if drums or tensions come between, or
-    /// where one of the poses has no lengths.
+    /// [`Operation::controlled_lengths`] of many poses at once, with the same bits; `None` with drums or with lengths
+    /// that depend on tensions, or if a pose has no lengths.
     fn kinematic_lengths(&self, poses: &PoseBatch) -> Option<LaneTable> {
         let control = self.control.kinematic().filter(|_| self.winding.is_none())?;
         let (machine, cables) = (self.machine.model(), control.cable_count());
@@ -205,8 +208,8 @@ impl<'a> Operation<'a> {
         (0..cables).all(|cable| lengths.row(cable).all(f64::is_finite)).then_some(lengths)
     }
 
-    /// Emerging poses and tensions for many commands at once, of those for which the control model has lengths; with `only_taut`
-    /// those with every cable taut. `None` for rigid machines, and for those that remember.
+    /// Emerging poses and tensions for many commands at once, of those for which the control model has lengths; with
+    /// `only_taut` only those with every cable taut. `None` for rigid machines, and for those with a history.
     pub fn answer_all(&mut self, poses: &[Pose], only_taut: bool) -> Option<Emerged> {
         if self.way.is_some() || !self.machine.knows_tensions() {
             return None;
@@ -237,7 +240,7 @@ impl<'a> Operation<'a> {
         self.answer_along(command, &mut |_| ())
     }
 
-    /// [`Operation::answer`] that lends every place of the way to whoever goes along.
+    /// [`Operation::answer`] that passes every point of the path to an observer.
     pub fn answer_along(&mut self, command: &CommandedPose, observe: &mut dyn FnMut(PathPoint<'_>)) -> Outcome {
         let Some(mut way) = self.way.take() else {
             observe(PathPoint::Start);
@@ -248,7 +251,7 @@ impl<'a> Operation<'a> {
         outcome
     }
 
-    /// The sub-steps of a way, and its end; the robot settles wherever it comes to.
+    /// Goes the sub-steps of a path to its end; control model and machine settle at every equilibrium.
     fn go(&mut self, way: &mut PathTaken, command: &CommandedPose, observe: &mut dyn FnMut(PathPoint<'_>)) -> Outcome {
         let last = way.last.filter(|_| way.history.reach == Reach::InOrder);
         if last.is_none() {
@@ -276,7 +279,7 @@ impl<'a> Operation<'a> {
         outcome
     }
 
-    /// Outcome of a command, lent with the memories that led to it.
+    /// Outcome of a command, passed to the observer with the memories before it.
     fn arrived(&mut self, command: &CommandedPose, observe: &mut dyn FnMut(PathPoint<'_>)) -> Outcome {
         let outcome = self.reach(command);
         let (control, machine) = (self.states.control.memories(), self.states.machine.memories());
@@ -284,7 +287,7 @@ impl<'a> Operation<'a> {
         outcome
     }
 
-    /// Lengths sent to the winches (m): φ(x) + q_off, a cable of a tension test shortened.
+    /// Lengths sent to the winches (m): φ(x) + q_off, with the cable of a tension test shortened.
     fn sent(&mut self, command: &CommandedPose) -> Result<Vec<f64>, OperationError> {
         let mut sent = self.control.lengths(&command.pose, command.tensions.as_deref(), &mut self.states.control)?;
         sent.iter_mut().zip(&self.offsets).for_each(|(length, offset)| *length += offset);

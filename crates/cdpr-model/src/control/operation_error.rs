@@ -1,4 +1,4 @@
-//! Poses of an operation that have no lengths, no answer or no derivatives.
+//! Reasons that an operation has no lengths, no answer or no derivatives at a pose.
 
 use thiserror::Error;
 
@@ -11,7 +11,8 @@ use crate::model::WinchError;
 use crate::statics::StaticsError;
 use crate::tension::NotSmooth;
 
-/// Reason for which a control model sends nothing for a pose, a machine does not come to rest there, or neither can be differentiated.
+/// Reason that a control model sends no lengths for a pose, that a machine does not come to rest there, or that one of
+/// them has no derivative.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum OperationError {
@@ -24,46 +25,46 @@ pub enum OperationError {
     /// No tensions balance the load within the limits.
     #[error("the control model finds no tensions: {0}")]
     NoTensions(Reason),
-    /// A winch that cannot be turned so far.
+    /// A winch without the motor angle for a length.
     #[error(transparent)]
     Winch(#[from] WinchError),
-    /// A drum whose groove ends.
+    /// A length outside the range of a drum's groove.
     #[error(transparent)]
     Groove(#[from] GrooveError),
     /// The machine does not come to rest.
     #[error("{}", .reason.as_deref().unwrap_or(.status.name()))]
     NoRest {
-        /// End of the search.
+        /// Outcome of the search.
         status: Status,
-        /// The reason in words, where one is known.
+        /// The reason in words, if known.
         reason: Option<String>,
     },
-    /// A pose that the map of the control model does not know.
+    /// A pose beyond the map of the control model.
     #[error(transparent)]
     Map(#[from] MapError),
-    /// One of many poses.
+    /// An error at one of many poses.
     #[error("pose {pose}: {reason}")]
     AtPose {
-        /// Its number, from 1.
+        /// Number of the pose, from 1.
         pose: usize,
-        /// Its reason.
+        /// The error there.
         reason: Box<Self>,
     },
-    /// A machine with one number changed, of which differences are taken, does not answer.
+    /// A machine with one number changed, for differences, does not answer.
     #[error("{cause} deviating: {reason}")]
     Deviating {
         /// Name of the number.
         cause: String,
-        /// Its reason.
+        /// The error of that machine.
         reason: Box<Self>,
     },
-    /// Tensions that are chosen in a way without a derivative at this pose.
+    /// The method for choosing tensions has no derivative at this pose.
     #[error("the tensions of the control model have no derivative: {0}")]
     NotSmooth(NotSmooth),
     /// A displacement of the machine meets no resistance.
     #[error("the stiffness of the machine is singular at the emerging pose")]
     Singular,
-    /// Robots, tensions or a load with which no pose can be answered.
+    /// Robots, tensions or a load for which no pose has an answer.
     #[error(transparent)]
     Input(#[from] InputError),
 }

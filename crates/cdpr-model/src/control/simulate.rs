@@ -22,20 +22,19 @@ pub struct Simulation {
     pub samples: Samples,
     /// True outcomes, sample by sample.
     pub outcomes: Vec<Outcome>,
-    /// Commanded poses that gave no sample, from 0, with the reason.
+    /// Indices (from 0) of commanded poses without a sample, with the reason.
     pub left_out: Vec<(usize, String)>,
 }
 
-/// Sends every commanded pose through the control model to the machine (see [`Operation`]) and records what emerges,
-/// with sensor noise: pose, lengths, and the tensions of a machine that rests in equilibrium.
+/// Sends every commanded pose through the control model to the machine (see [`Operation`]) and records the outcome with
+/// sensor noise: pose, lengths, and the tensions of a machine in equilibrium.
 ///
-/// Recorded lengths are what the encoders of the machine read, length_scale · q_θ + length_offset − q_off with the length q_θ
-/// really paid out. The winch offset q_off sits in the winch's zero, as on a robot whose encoders are set to the control
-/// model's lengths at the initial pose; so the machine's own model explains noise-free samples exactly once −q_off is part
-/// of its length offsets, and without them where there are no winch offsets. A rigid machine with more cables than degrees
-/// of freedom cannot hold lengths that contradict each other: the platform goes to the least-squares pose, the winches take
-/// up what is slack, and the encoders record the machine's lengths there. Recorded tensions are tension_scale · f +
-/// tension_offset.
+/// Recorded lengths are the readings of the machine's encoders, length_scale · q_θ + length_offset − q_off with the
+/// length q_θ actually paid out. The winch offset q_off is part of the winch's zero, as on a robot with encoders set to
+/// the control model's lengths at the initial pose; the machine's own model therefore explains noise-free samples
+/// exactly if −q_off is part of its length offsets. A rigid machine with more cables than degrees of freedom cannot
+/// hold contradictory lengths: the platform goes to the least-squares pose, the winches take up the slack, and the
+/// encoders record the machine's lengths there. Recorded tensions are tension_scale · f + tension_offset.
 pub fn simulate<'a>(
     control: impl Into<Control<'a>>,
     machine: &'a Model,
@@ -47,7 +46,7 @@ pub fn simulate<'a>(
     simulate_operation(&mut Operation::new(control, machine, offsets)?, poses, noise, seed)
 }
 
-/// [`simulate`] of an operation, as one with history is.
+/// [`simulate`] with a given operation, e.g. one with history.
 pub fn simulate_operation(
     operation: &mut Operation<'_>,
     poses: &[CommandedPose],
@@ -84,7 +83,7 @@ pub fn simulate_operation(
 struct Sensors<'a, N: FnMut() -> f64> {
     machine: &'a Model,
     noise: &'a SensorSigmas,
-    /// Standard normal numbers.
+    /// Source of standard normal numbers.
     normal: N,
 }
 

@@ -1,6 +1,6 @@
 //! Status of a machine's answer.
 
-/// How the answer of a machine was found.
+/// Outcome of a machine's forward problem for a command.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
@@ -14,12 +14,12 @@ pub enum Status {
     NotConverged,
     /// The machine's lengths do not determine its pose.
     Singular,
-    /// The equilibrium found would not last.
+    /// The equilibrium found is unstable.
     Unstable,
 }
 
 impl Status {
-    /// The word that answers use.
+    /// The status as written in results.
     pub fn name(self) -> &'static str {
         match self {
             Self::Converged => "converged",

@@ -1,4 +1,4 @@
-//! How the winches are set: initial tensions and offsets.
+//! Setting of the winches: initial tensions and offsets.
 
 use super::input_error::{InputError, check_same_robot};
 use super::winding::Winding;
@@ -10,14 +10,14 @@ use crate::model::Model;
 use crate::statics::Load;
 use crate::tension::{Limits, Method, Options, Reference, Solver, closed_form};
 
-/// Winch offsets that a study asks for (m): none, given ones, or those that bring the machine to the initial pose with the
+/// Winch offsets for a study (m): none, given ones, or those that bring the machine to the initial pose with the
 /// initial tensions, q_off = φ̂(x_ini, f_ini) − φ(x_ini).
 ///
 /// φ̂ is the machine's inverse, φ that of the model in use when the winches were set: the control model, or that of
-/// `offset_robot`. Both are taken in the units of their encoders. A kinematic φ knows no tension, so on a machine of the same
-/// geometry the offsets are −f q/k_F (eq. 6.24). An elastic φ is told the same initial tensions, so that a machine that is
-/// like its control model has offsets of zero. With drums the machine's lengths are those that the model believes in at the
-/// motor angles that give them.
+/// `offset_robot`. Both are in the units of their encoders. A kinematic φ does not depend on tensions, so that on a
+/// machine of the same geometry the offsets are −f q/k_F (eq. 6.24). An elastic φ takes the same initial tensions, so
+/// that a machine equal to its control model has offsets of zero. With drums the machine's lengths are converted to
+/// those of the model in use at the motor angles that give them.
 pub fn winch_offsets(
     initial: &Initial,
     set_with: &Model,
@@ -44,13 +44,13 @@ pub fn winch_offsets(
     Ok(wanted.iter().zip(&sent).map(|(wanted, sent)| wanted - sent).collect())
 }
 
-/// Model that says which tensions the winches set: the machine, or the model in use then where the machine is straight and rigid; `None` if
-/// both are, whose lengths no tension changes.
+/// Model that determines the tensions set by the winches: the machine, or, if it is straight and rigid, the model in
+/// use when they were set; `None` if both are, since tensions then do not change lengths.
 pub fn tension_model<'a>(set_with: &'a Model, machine: &'a Model) -> Option<&'a Model> {
     [machine, set_with].into_iter().find(|model| model.needs_tensions())
 }
 
-/// [`initial_tensions`] of the model that says which tensions the winches set; `None` if none does.
+/// [`initial_tensions`] of the model that determines them; `None` if none does.
 pub fn tensions_set(
     initial: &Initial,
     set_with: &Model,
@@ -60,12 +60,12 @@ pub fn tensions_set(
     tension_model(set_with, machine).map(|model| initial_tensions(initial, model, pose)).transpose()
 }
 
-/// The tensions f_ini that a study asks for at its initial pose, in balance with the load of the model's robot (N).
+/// The initial tensions f_ini of a study at its initial pose, in balance with the load of the model's robot (N).
 ///
-/// Given tensions are brought into balance by the smallest change, f − A⁺ᵀ (w + Aᵀ f); so is, with the method `closed-form`,
-/// the middle of the limits (eq. 3.41), and neither asks for the limits. The other methods keep them.
+/// Given tensions are brought into balance by the smallest change, f − A⁺ᵀ (w + Aᵀ f); so is, with the method
+/// `closed-form`, the middle of the limits (eq. 3.41). Both may leave the limits; the other methods keep them.
 pub fn initial_tensions(initial: &Initial, model: &Model, pose: &Pose) -> Result<Vec<f64>, InputError> {
-    // a pose without a path is told in the words of the geometry
+    // a pose without a path gives the error of the geometry
     model.structure_matrix(pose)?;
     let load = Load::of(model.robot())?;
     let wrench = load.in_pattern(model, pose);
@@ -118,7 +118,7 @@ pub(super) fn tensions_within(
     chosen_by((Method::Qp, &options), limits, model, pose, wrench.as_slice())
 }
 
-/// Limits of the initial tensions (N): those of the study, or else of the robot's file.
+/// Limits of the initial tensions (N): those of the study, otherwise those of the robot's file.
 pub fn aim(initial: &Initial, model: &Model) -> Result<Limits, InputError> {
     Ok(match initial.tension_limits_N {
         Some([low, high]) => Limits::uniform(model.cable_count(), low, high)?,

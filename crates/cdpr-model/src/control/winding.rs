@@ -5,29 +5,29 @@ use crate::cable::winch::{DrumLength, GrooveError, Winch};
 use crate::measurement::Samples;
 use crate::model::{Model, WinchError};
 
-/// The way from a control model's recorded lengths over motor angles to those of a machine, and back.
+/// Conversion of a control model's recorded lengths by motor angles to those of a machine, and back.
 ///
-/// A model without the effect `drum` takes its winches for ideal ones, whose length is linear in the angle, with the radius of
-/// its own file or else that of the other. Where neither has the effect, lengths are lengths.
+/// A model without the effect `drum` has ideal winches, with a length linear in the angle and the radius of its own
+/// file, or else that of the other. If neither has the effect, lengths are not converted.
 #[derive(Clone, Debug)]
 pub struct Winding<'a> {
     control: &'a Model,
-    /// Winches of control model and machine, cable by cable; empty where lengths are lengths.
+    /// Winches of control model and machine, cable by cable; empty if lengths are not converted.
     winches: Vec<[Winch; 2]>,
 }
 
-/// How a length that a machine pays out follows the one that its control model sends.
+/// Derivative of the length that a machine pays out by the one that its control model sends.
 pub struct WindingGradient {
-    /// Per metre sent.
+    /// Change of the length paid out per metre sent.
     pub by_sent: f64,
     /// The control model's drum at the angle sent.
     pub control: DrumLength,
-    /// The machine's.
+    /// The machine's drum at that angle.
     pub machine: DrumLength,
 }
 
 impl<'a> Winding<'a> {
-    /// Drums of control model and machine; refuses drums whose numbers are missing.
+    /// The winches of control model and machine; an error if numbers of a drum are missing.
     pub fn new(control: &'a Model, machine: &Model) -> Result<Self, InputError> {
         if !control.composition().drum && !machine.composition().drum {
             return Ok(Self { control, winches: Vec::new() });
@@ -44,17 +44,17 @@ impl<'a> Winding<'a> {
         Ok(Self { control, winches })
     }
 
-    /// True without the effect `drum` on either side: lengths sent are lengths paid out.
+    /// True without the effect `drum` on either side: lengths paid out are those sent.
     pub(super) fn is_none(&self) -> bool {
         self.winches.is_empty()
     }
 
-    /// Lengths that the machine pays out when the control model sends these (m).
+    /// Lengths that the machine pays out for these sent lengths (m).
     pub(super) fn to_machine(&self, sent: &[f64]) -> Result<Vec<f64>, WinchError> {
         self.convert(sent, |[control, machine], length| machine.controlled_length(control.motor_angle(length)?))
     }
 
-    /// How the length that the machine pays out follows the one sent, cable by cable; `None` where it is the one sent.
+    /// Derivatives of the lengths that the machine pays out, cable by cable; `None` if they are those sent.
     pub fn gradients(&self, sent: &[f64]) -> Result<Option<Vec<WindingGradient>>, GrooveError> {
         if self.winches.is_empty() {
             return Ok(None);
@@ -71,12 +71,12 @@ impl<'a> Winding<'a> {
         self.winches.iter().zip(sent).map(one).collect::<Result<_, _>>().map(Some)
     }
 
-    /// Lengths that the control model believes in when the machine has paid out these (m).
+    /// Lengths by the control model's winches when the machine has paid out these (m).
     pub(super) fn to_control(&self, paid_out: &[f64]) -> Result<Vec<f64>, WinchError> {
         self.convert(paid_out, |[control, machine], length| control.controlled_length(machine.motor_angle(length)?))
     }
 
-    /// Motor angles at which the control model has sent these lengths (rad).
+    /// Motor angles at which the control model sends these lengths (rad).
     fn motor_angles(&self, sent: &[f64]) -> Result<Vec<f64>, WinchError> {
         self.convert(sent, |[control, _], length| control.motor_angle(length))
     }
@@ -98,9 +98,9 @@ impl<'a> Winding<'a> {
     }
 }
 
-/// Simulated samples with the motor angles at which the control model has sent their lengths, in place of the lengths.
+/// Simulated samples with the motor angles for the sent lengths instead of the lengths.
 ///
-/// Any of the two models must have the effect `drum`: without it a length is all that a winch is told.
+/// One of the two models must have the effect `drum`: without it winches are commanded by lengths.
 pub fn with_motor_angles(control: &Model, machine: &Model, samples: &Samples) -> Result<Samples, InputError> {
     let winding = Winding::new(control, machine)?;
     if winding.winches.is_empty() {

@@ -1,8 +1,9 @@
 //! The closed form of tension distribution at many poses at once, a pose per lane.
 //!
-//! f = f_m − A⁺ᵀ (w + Aᵀ f_m), the tensions of [`closed_form::solve`], by the products AᵀA instead of singular values, and once more
-//! for what their rounding left of the balance: both agree to rounding. Where rows of the structure matrix are nearly dependent, where a cable may have no path, and for robots with
-//! more than eight cables or fewer cables than degrees of freedom, the single pose is asked.
+//! f = f_m − A⁺ᵀ (w + Aᵀ f_m), the tensions of [`closed_form::solve`], by the products AᵀA instead of singular values,
+//! with one correction for their rounding: both agree to rounding. If rows of the structure matrix are nearly
+//! dependent, if a cable may have no path, and for robots with more than eight cables or fewer cables than degrees of
+//! freedom, each pose is solved on its own.
 
 mod normal;
 mod single_pose;
@@ -18,11 +19,11 @@ use crate::scalar::{Kernel, LANES, LaneTable, Lanes, Line, Unit, dispatch_on, ov
 use crate::statics::Load;
 use crate::tension::{InputError, Limits, closed_form};
 
-/// Tensions (N) nearest to the middle of the limits that balance the load at each pose, a row per cable, whether or not they keep
-/// the limits (`Limits::contain` tells); NaN where a cable has no path, and for sagging cables, whose directions follow
-/// their tensions.
+/// Tensions (N) nearest to the middle of the limits that balance the load at each pose, a row per cable, within the
+/// limits or not (see `Limits::contain`); NaN if a cable has no path, and for sagging cables, since their directions
+/// follow their tensions.
 ///
-/// Claims no memory in lanes once `tensions` has had as many poses before.
+/// Claims no memory in lanes if `tensions` has held as many poses before.
 ///
 /// ```
 /// use cdpr::equilibrium::closed_form;
@@ -61,18 +62,18 @@ pub fn solve_batch(
     Ok(())
 }
 
-/// Tensions of a part of a batch.
+/// Tensions for a part of a batch.
 struct Tensions<'a> {
     balance: &'a Balance<'a>,
     limits: &'a Limits,
     poses: &'a PoseBatch,
-    /// Group of poses that the lines begin with.
+    /// Index of the group of poses at which the lines begin.
     first: usize,
     lines: &'a mut [Line],
 }
 
 impl Tensions<'_> {
-    /// On an available unit; compiled here, once for library and tests.
+    /// Runs on an available unit; compiled only here, for library and tests.
     #[inline(never)]
     fn run_on(self, unit: Unit) {
         dispatch_on(unit, self).unwrap_or_default();
@@ -99,7 +100,8 @@ impl Kernel for Tensions<'_> {
             let normal = normal_of(&rows, dof);
             let mut found = [lanes.constant(0.0); LANES];
             move_along(&mut found, &rows, normal.solve(residual));
-            // what rounding of the products left: after one step more, the answer is as good as by orthogonal factors
+            // residual from rounding of the products: after this correction the tensions are as exact as by orthogonal
+            // factors
             let left = left_over(&found, &rows, residual);
             move_along(&mut found, &rows, normal.solve(left));
             for (cable, line) in lines.iter_mut().enumerate() {
@@ -112,7 +114,7 @@ impl Kernel for Tensions<'_> {
     }
 }
 
-/// The products AᵀA of the first rows.
+/// The products AᵀA of the first `dof` rows.
 #[inline(always)]
 fn normal_of<L: Lanes>(rows: &Rows<L>, dof: usize) -> Normal<L> {
     let mut products = [[rows[0][0].constant(0.0); 6]; 6];
@@ -148,7 +150,7 @@ fn left_over<L: Lanes>(tensions: &[L; LANES], rows: &Rows<L>, mut residual: [L; 
     residual
 }
 
-/// The tensions of one group as the single pose gives them.
+/// Writes the tensions of one group, each pose solved on its own.
 #[cold]
 #[inline(never)]
 fn ask_single(balance: &Balance<'_>, limits: &Limits, poses: &PoseBatch, group: usize, lines: &mut [Line]) {

@@ -1,9 +1,9 @@
 //! Tensions that balance a load within limits, for cables of any effects.
 //!
-//! The pull of a straight cable is its tension times a direction that the pose alone determines: one quadratic programme
-//! answers. The directions of sagging cables follow their tensions, so the exact programme is solved again and again for
-//! the wrench linearized at the last tensions, W(f) ≈ W(f_k) + ∂W/∂f (f − f_k), until they no longer change. Where that ends,
-//! the tensions balance the load exactly.
+//! The pull of a straight cable is its tension times a direction that the pose alone determines: one quadratic
+//! programme is enough. The directions of sagging cables depend on their tensions, so that the exact programme is
+//! solved repeatedly for the wrench linearized at the last tensions, W(f) ≈ W(f_k) + ∂W/∂f (f − f_k), until they no
+//! longer change. Then the tensions balance the load exactly.
 
 mod batch;
 
@@ -19,25 +19,25 @@ use crate::model::Model;
 use crate::statics::{Load, StaticsError, cable_state};
 use crate::tension::{self, InputError, Limits, LimitsError, Options};
 
-/// Distributions tried before giving up.
+/// Distributions allowed before the search gives up.
 const MAX_ITERATIONS: u32 = 50;
-/// Tensions that change by less than this share of the largest are settled: Newton has doubled its digits before, and the
-/// shapes of taut cables that do not stretch are known no better.
+/// Change of tensions, as a fraction of the largest, below which they have settled: Newton's method has doubled its
+/// digits before, and the shapes of taut cables that do not stretch are known no better.
 const SETTLED: f64 = 1e-10;
 
-/// Tensions, or why there are none.
+/// Tensions, with the reason if they do not balance the load.
 #[must_use = "check `reason` before using the tensions"]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Distribution {
-    /// Tension per cable where the robot measures it (N); within the limits unless there is a reason.
+    /// Tension per cable at the point where the robot measures it (N); within the limits unless there is a reason.
     pub tensions: Vec<f64>,
-    /// Why these are no tensions for the load.
+    /// Reason that these tensions do not balance the load; `None` if they do.
     pub reason: Option<Reason>,
-    /// Programmes solved.
+    /// Number of programmes solved.
     pub iterations: u32,
 }
 
-/// Why no tensions were found.
+/// Reason that no tensions were found.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Reason {
     /// Limits and load exclude each other, in words.
@@ -47,7 +47,7 @@ pub enum Reason {
 }
 
 impl Reason {
-    /// The word for results: `infeasible` or `not-converged`.
+    /// The status in results: `infeasible` or `not-converged`.
     pub fn status(&self) -> &'static str {
         match self {
             Self::Infeasible(_) => "infeasible",
@@ -64,7 +64,7 @@ impl fmt::Display for Reason {
     }
 }
 
-/// Input for which the question has no meaning.
+/// Input for which there is no distribution.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum DistributionError {
@@ -74,7 +74,7 @@ pub enum DistributionError {
     /// Limits that do not fit the model.
     #[error(transparent)]
     Tension(#[from] InputError),
-    /// A robot whose file states no limits.
+    /// A robot with a file that states no limits.
     #[error(transparent)]
     Limits(#[from] LimitsError),
 }
@@ -103,20 +103,20 @@ impl<'a> Solver<'a> {
         Self::by(tension::Method::Qp, model, load, limits)
     }
 
-    /// One that chooses by another method than the nearest to the middle of the limits.
+    /// A solver that chooses tensions by the given method.
     pub(crate) fn by(method: tension::Method, model: &'a Model, load: &Load, limits: &Limits) -> Self {
         let chooser = tension::Solver::new(method, model.cable_count(), model.dof());
         Self { model, load: *load, limits: limits.clone(), chooser }
     }
 
-    /// The tensions that keep the limits and balance the load at a pose: the nearest to the middle of the limits, or those of the
-    /// method.
+    /// Returns the tensions that keep the limits and balance the load at a pose, chosen by the solver's method: by
+    /// default those nearest to the middle of the limits.
     pub fn solve(&mut self, pose: &Pose) -> Result<Distribution, DistributionError> {
         let wrench = self.load.in_pattern(self.model, pose);
         let (chooser, limits) = (&mut self.chooser, &self.limits);
         let mut found = (Vec::new(), None);
         let balance = balance(self.model, pose, wrench.as_slice(), &mut |matrix, wrench| {
-            // a pose is answered to the same bits whatever was asked before
+            // the answer at a pose must not depend on earlier poses
             chooser.forget();
             let answer = chooser.solve(matrix, wrench, limits, &Options::default())?;
             found = (answer.tensions.clone(), answer.reason());
@@ -128,7 +128,7 @@ impl<'a> Solver<'a> {
     }
 }
 
-/// One distribution; see [`Solver`] for many.
+/// Solves one distribution; see [`Solver`] for many.
 pub fn solve(model: &Model, pose: &Pose, load: &Load, limits: &Limits) -> Result<Distribution, DistributionError> {
     Solver::new(model, load, limits).solve(pose)
 }
@@ -136,25 +136,27 @@ pub fn solve(model: &Model, pose: &Pose, load: &Load, limits: &Limits) -> Result
 /// The balance of tensions and load at a pose, linear in the tensions: matrix · f + wrench = 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Balance {
-    /// The structure matrix of straight cables; of sagging ones ∂W/∂f at the tensions that a method settled on, n × m.
+    /// The structure matrix of straight cables; for sagging ones ∂W/∂f at the tensions on which the method settled, n ×
+    /// m.
     pub matrix: DMatrix<f64>,
-    /// The load in the pattern's n rows, with what sagging cables pull beside matrix · f (N, N·m).
+    /// The load in the pattern's n rows, plus the part of the wrench of sagging cables that is not matrix · f (N, N·m).
     pub wrench: Vec<f64>,
-    /// Times the method was asked.
+    /// Number of calls of the method.
     pub iterations: u32,
-    /// Why the method did not settle; `None` if it found no tensions, for which it has its own words.
+    /// Reason that the method did not settle; `None` if it did, or if it found no tensions and has a reason of its own.
     pub reason: Option<Reason>,
 }
 
-/// Effort of a distribution at a pose, from that with straight cables; those that sag are solved with their shapes, again and again.
+/// Estimated effort of a distribution at a pose: `straight` for straight cables, 1e4 for sagging ones, which are solved
+/// repeatedly with their shapes.
 pub fn effort(model: &Model, straight: f64) -> f64 {
     if model.cables().has_fixed_directions() { straight } else { 1e4 }
 }
 
-/// Any method of tension distribution: matrix and wrench to tensions, or to none where it finds none.
+/// Any method of tension distribution: from matrix and wrench to tensions, `None` if it finds none.
 pub type Method<'a> = dyn FnMut(&DMatrix<f64>, &[f64]) -> Result<Option<Vec<f64>>, InputError> + 'a;
 
-/// The linear balance in which a method's tensions are those at which it was linearized, for a load in the pattern's rows.
+/// The linear balance at the tensions that a method chooses for this same balance, for a load in the pattern's rows.
 ///
 /// Straight cables need no iteration.
 pub fn balance(
@@ -195,7 +197,7 @@ pub fn balance(
     Ok(balance)
 }
 
-/// ∂W/∂f in the pattern's rows, and load plus W(f) − ∂W/∂f f.
+/// ∂W/∂f in the pattern's rows (n × m), and load plus W(f) − ∂W/∂f f (N, N·m).
 fn linearized(
     model: &Model,
     pose: &Pose,

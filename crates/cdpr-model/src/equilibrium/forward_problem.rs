@@ -1,8 +1,8 @@
-//! Forward problem of a model: one rule and one door for everything that asks where a platform goes.
+//! Forward problem of a model: the choice between its two solvers, and the functions through which both are called.
 //!
 //! Elastic cables, and fewer rigid ones than degrees of freedom under a known load, rest where cables and load are in
-//! equilibrium ([`elastostatics`]). Rigid cables otherwise fit their lengths as well as possible ([`forward_kinematics`]);
-//! with fewer cables than degrees of freedom that determines no pose.
+//! equilibrium ([`elastostatics`]). Otherwise rigid cables fit their lengths as well as possible
+//! ([`forward_kinematics`]); with fewer cables than degrees of freedom that determines no pose.
 
 use thiserror::Error;
 
@@ -18,14 +18,14 @@ use crate::statics::{Load, LoadError};
 /// Forward problem of a composition.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum ForwardProblem {
-    /// The pose whose lengths fit best, whatever the load.
+    /// The pose with the best fit of the lengths, for any load.
     LeastSquares,
     /// Pose and tensions in equilibrium with the load.
     Equilibrium,
 }
 
 impl ForwardProblem {
-    /// Forward problem of a model whose load is known or not.
+    /// Forward problem of a model with a known or unknown load.
     pub fn of(model: &Model, is_load_known: bool) -> Self {
         let is_underactuated = model.cable_count() < model.dof();
         match model.cables() {
@@ -38,9 +38,9 @@ impl ForwardProblem {
 /// Settings of both forward problems.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct ForwardSettings {
-    /// Of [`ForwardProblem::LeastSquares`].
+    /// Settings of [`ForwardProblem::LeastSquares`].
     pub least_squares: forward_kinematics::Settings,
-    /// Of [`ForwardProblem::Equilibrium`].
+    /// Settings of [`ForwardProblem::Equilibrium`].
     pub equilibrium: elastostatics::Settings,
 }
 
@@ -63,19 +63,20 @@ pub enum ForwardError {
     /// The load on cables whose lengths depend on their tensions is unknown.
     #[error(transparent)]
     Load(#[from] LoadError),
-    /// Lengths, guess or settings, or cables whose tensions do not follow from lengths.
+    /// Invalid lengths, guess or settings, or cables whose tensions do not follow from lengths.
     #[error(transparent)]
     Input(#[from] elastostatics::InputError),
 }
 
 impl Model {
-    /// Pose and tensions that belong to controlled lengths q_θ (m, one per cable), sought from a guess.
+    /// Finds pose and tensions for controlled lengths q_θ (m, one per cable), starting from a guess.
     ///
-    /// The model decides the problem ([`ForwardProblem::of`]); the answer is the solution to which the guess leads, and the motion pattern
-    /// holds: what it cannot move keeps the guess's value. Without a load it is that of the robot's file; without a guess the search
-    /// begins at the home pose, see [`State::start`]. Cables come from the memories of the state, which stay as they are.
+    /// The model decides the problem ([`ForwardProblem::of`]). The answer is the solution to which the guess leads;
+    /// coordinates outside the motion pattern keep the guess's value. `None` as load takes that of the robot's file;
+    /// `None` as guess starts at the home pose, see [`State::start`]. Cables start from the memories of the state,
+    /// which do not change.
     ///
-    /// Allocates nothing once the state has solved a problem of the model, unless there is a reason to tell.
+    /// Allocates nothing once the state has solved a problem of the model, except for a reason in words.
     pub fn forward<'s>(
         &self,
         lengths: &[f64],
@@ -86,7 +87,7 @@ impl Model {
         self.forward_with(&ForwardSettings::default(), lengths, load, guess, state)
     }
 
-    /// [`Model::forward`] with settings of one's own.
+    /// [`Model::forward`] with the given settings.
     pub fn forward_with<'s>(
         &self,
         settings: &ForwardSettings,
@@ -105,8 +106,8 @@ impl Model {
         Ok(state.forward_solution().expect("a solved problem leaves its solution"))
     }
 
-    /// The pose that fits lengths better than the answer that belongs to the guess does, where the residual of that answer is more than
-    /// errors of measurement explain; `None` if there is none, and for equilibria.
+    /// A pose that fits the lengths better than the answer to which the guess leads, if the residual of that answer is
+    /// larger than errors of measurement explain; `None` if there is none, and for equilibria.
     ///
     /// It takes as many descents as `max_restarts`, each as long as that of [`Model::forward`].
     pub fn forward_alternative(
@@ -126,10 +127,12 @@ impl Model {
         })
     }
 
-    /// [`Model::forward_with`] for many problems at once, with the bits of the single one.
+    /// [`Model::forward_with`] for many controlled lengths at once (m; a row per cable), each from its own guess and
+    /// with the same bits as the single problem. With `only_taut` only equilibria in which every cable pulls are
+    /// sought.
     ///
-    /// The search for taut cables ends with [`Status::NotConverged`](super::Status) where the equilibrium of bars has one that pushes, ten times
-    /// sooner than the search for the cables that hang slack.
+    /// This search ends with [`Status::NotConverged`](super::Status) if a cable pushes in the equilibrium of bars, ten
+    /// times sooner than the search for slack cables.
     pub fn forward_batch(
         &self,
         settings: &ForwardSettings,
@@ -145,13 +148,14 @@ impl Model {
         })
     }
 
-    /// True where [`Model::forward_batch`] solves many problems side by side: of straight, linear or rigid cables, no fewer than degrees of
-    /// freedom. Others are solved one by one.
+    /// True if [`Model::forward_batch`] solves many problems side by side: straight cables, rigid or linear, and no
+    /// fewer than degrees of freedom. Others are solved one by one.
     pub fn has_forward_batch(&self) -> bool {
         matches!(self.cables(), Cables::Rigid | Cables::Linear) && self.cable_count() >= self.dof()
     }
 
-    /// Forward problem of the model under a load, that of the robot's file without one; or why it cannot be posed.
+    /// Forward problem of the model under a load (`None`: that of the robot's file), or the reason that it cannot be
+    /// posed.
     pub fn forward_problem(&self, load: Option<&Load>, state: &mut State) -> Result<ForwardProblem, ForwardError> {
         state.solve(self, &ForwardSettings::default(), load, |solver| {
             Ok(match solver {
@@ -162,7 +166,7 @@ impl Model {
     }
 }
 
-/// Solver of one of the problems.
+/// Solver of either problem.
 #[expect(
     clippy::large_enum_variant,
     reason = "it lives on the stack for one problem, and a box would be claimed for each"
@@ -182,7 +186,7 @@ impl ForwardSolver<'_> {
 }
 
 impl State {
-    /// Solves in the memory of the state, with cables that come from its memories.
+    /// Runs `work` on a solver in the memory of the state, with cables that start from its memories.
     fn solve<T>(
         &mut self,
         model: &Model,
@@ -194,7 +198,7 @@ impl State {
         let load = match [false, true].map(|is_load_known| ForwardProblem::of(model, is_load_known)) {
             [_, ForwardProblem::LeastSquares] => None,
             [ForwardProblem::Equilibrium, _] => Some(known_load()?),
-            // too few rigid cables of unknown load fit their lengths, which determine no pose
+            // too few rigid cables with an unknown load fit their lengths, which determine no pose
             [ForwardProblem::LeastSquares, ForwardProblem::Equilibrium] => known_load().ok(),
         };
         let mut solver = match load {
@@ -220,7 +224,7 @@ impl State {
         Ok(answer?)
     }
 
-    /// Says of a platform on too few rigid cables, which has a pose under its load, what is missing for it.
+    /// Adds the missing load to the reason, for a platform on too few rigid cables: its pose depends on the load.
     fn tell_unknown_load(&mut self, model: &Model) {
         let Some(Scratch::LeastSquares(scratch)) = &mut self.scratch else { return };
         if model.cable_count() >= model.dof() {

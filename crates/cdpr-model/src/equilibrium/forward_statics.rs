@@ -1,8 +1,8 @@
 //! Forward statics: the pose at which given tensions balance the load (sec. 2.1).
 //!
-//! Find x with Aᵀ(x) f + w(x) = 0 for constant tensions f, whatever lengths that takes: Newton steps on the residual wrench
-//! with the stiffness −K_G − ∂w/∂x, damped until the residual falls. Weights over pulleys instead of winches do this. The
-//! pose need not be stable: tensions that do not answer to motion hold a platform weakly or not at all.
+//! Find x with Aᵀ(x) f + w(x) = 0 for constant tensions f, at any lengths: Newton steps on the residual wrench with the
+//! stiffness −K_G − ∂w/∂x, damped until the residual falls. Weights over pulleys instead of winches act like this. The
+//! pose need not be stable: tensions that do not change with motion hold a platform weakly or not at all.
 
 use nalgebra::{DMatrix, DVector};
 use thiserror::Error;
@@ -17,16 +17,18 @@ use crate::scalar::decomposition::smallest_eigenvalue;
 use crate::solve::{self, Control, Rules, Step, StepRule, Trial, descend, not_positive};
 use crate::statics::{Load, Stability, StaticsError, geometric_stiffness, indifferent_stiffness, wrench_residual};
 
-/// When forward statics stops.
+/// Settings of forward statics.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
-    /// Stop once a step is shorter (m, relative to the mean cable length; angles times the platform radius).
+    /// The search stops once a step is shorter than this (m, relative to the mean cable length; angles times the
+    /// platform radius).
     pub pose_tolerance: f64,
-    /// Residual wrench that counts as balance, relative to the sum of the tensions; moments divided by the platform radius.
+    /// Residual wrench up to which tensions and load are in balance, relative to the sum of the tensions; moments
+    /// divided by the platform radius.
     pub wrench_tolerance: f64,
     /// Steps allowed for each start.
     pub max_iterations: u32,
-    /// Other starts that may be tried when the guess leads to no equilibrium.
+    /// Further starts allowed if the guess leads to no equilibrium.
     pub max_restarts: u32,
 }
 
@@ -60,17 +62,17 @@ pub struct Solution {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum InputError {
-    /// Tensions that are none, or a guess at which a cable has no path.
+    /// Invalid tensions, or a guess at which a cable has no path.
     #[error(transparent)]
     Statics(#[from] StaticsError),
-    /// Guess or settings.
+    /// Invalid guess or settings.
     #[error(transparent)]
     Kinematic(#[from] LengthError),
 }
 
 /// Finds the pose at which tensions (N, one per cable) and load are in equilibrium, from a guess.
 ///
-/// Several poses can be: the one that steps from the guess lead to is answered.
+/// If there are several such poses, it is the one to which the steps from the guess lead.
 pub fn solve(
     model: &Model,
     tensions: &[f64],
@@ -144,7 +146,7 @@ impl Point {
         smallest_eigenvalue(symmetric)
     }
 
-    /// min ‖r − K s‖² + damping² ‖s‖² in units of K; a plain Newton step without damping.
+    /// Solves min ‖r − K s‖² + damping² ‖s‖² in units of K; without damping a plain Newton step.
     fn step(&self, damping: f64) -> Option<DVector<f64>> {
         if damping == 0.0 {
             return self.stiffness.clone().lu().solve(&self.residual);
@@ -158,7 +160,7 @@ impl Point {
     }
 }
 
-/// Balance of constant tensions, as the loop of all searches sees it.
+/// Balance of constant tensions, as a problem of the common descent loop.
 struct Descent<'a> {
     problem: &'a Problem<'a>,
     point: Point,
@@ -189,7 +191,7 @@ impl solve::Problem for Descent<'_> {
         }
     }
 
-    /// Rounding: nothing is left to gain.
+    /// True if the residual is at the tolerance, so that no further decrease is needed.
     fn rests(&mut self, _: f64, _: f64) -> bool {
         self.problem.is_balanced(&self.point)
     }
@@ -229,7 +231,7 @@ impl<'a> Problem<'a> {
         point.size <= self.settings.wrench_tolerance * self.force_scale()
     }
 
-    /// Steps from one start until they are short or stop helping.
+    /// Takes steps from one start until they are short or do not decrease the residual.
     fn descend(&self, start: Point) -> End {
         let from = Point { size: f64::INFINITY, ..start.clone() };
         let mut descent = Descent { problem: self, point: from, trial: Some(start) };
@@ -285,7 +287,7 @@ impl<'a> Problem<'a> {
     }
 }
 
-/// The pose after a step that is not too long, and its size (m).
+/// The pose after a step, shortened if it is too long, and the step's size (m).
 fn stepped<const N: usize>(model: &Model, measure: &Measure<f64>, pose: &Pose, step: &[f64]) -> (Pose, f64) {
     let mut amounts = [0.0; N];
     amounts.copy_from_slice(&step[..N]);

@@ -1,4 +1,4 @@
-//! Inverse problem of a model: what winches are told so that the cables hold a pose with given tensions.
+//! Inverse problem of a model: the commands to the winches with which the cables hold a pose with given tensions.
 
 use super::State;
 use super::inverse_solution::{CableCommand, InverseSolution};
@@ -9,12 +9,12 @@ use crate::model::Model;
 use crate::statics::{self, StaticsError};
 
 impl Model {
-    /// Lengths, directions, wrap angles and motor angles with which the cables hold a pose with these tensions (N, one per cable, where
-    /// the robot measures them), coming from the memories of the state.
+    /// Lengths, directions, wrap angles and motor angles with which the cables hold a pose with these tensions (N, one
+    /// per cable, at the point where the robot measures them), starting from the memories of the state.
     ///
-    /// Rigid straight cables have their length whatever the tension; others have none without one, so that a tension of NaN leaves their
-    /// controlled length out. Whether the tensions balance a load is not asked, nor whether they pull: sensors of slack cables read less than
-    /// nothing. Refuses another number of tensions than cables, and infinite ones.
+    /// Rigid straight cables have the same length at any tension; the length of others depends on it, so that a tension
+    /// of NaN leaves their controlled length NaN. Tensions need not balance a load, and need not be positive: sensors
+    /// of slack cables may read below zero. Errors are another number of tensions than cables, and infinite tensions.
     pub fn inverse<'s>(
         &self,
         pose: &Pose,
@@ -51,7 +51,8 @@ impl Model {
         Ok(&state.inverse)
     }
 
-    /// Controlled lengths at a pose of cables whose lengths no tension changes (m); `None` if one belongs to a tension.
+    /// Controlled lengths at a pose (m), for cables whose lengths do not depend on tensions; `None` if the length of
+    /// one does.
     pub fn lengths_without_tensions(&self, pose: &Pose) -> Option<Result<Vec<f64>, StaticsError>> {
         let mut state = State::at(self, pose);
         match self.inverse(pose, &vec![f64::NAN; self.cable_count()], &mut state) {
@@ -61,7 +62,7 @@ impl Model {
         }
     }
 
-    /// Tensions of cables, or NaN for those that have none.
+    /// Checks that there is one tension per cable, finite or NaN.
     fn check_commanded(&self, tensions: &[f64]) -> Result<(), StaticsError> {
         let (expected, found) = (self.cable_count(), tensions.len());
         if expected != found {

@@ -4,7 +4,7 @@ use crate::geometry::Pose;
 use crate::model::WinchError;
 use crate::statics::StaticsError;
 
-/// One cable of an inverse problem; numbers are NaN where the cable has none.
+/// Command of one cable; numbers without a value are NaN.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CableCommand {
     /// Strained length from frame anchor to platform anchor, wrapped part included (m).
@@ -17,13 +17,14 @@ pub struct CableCommand {
     pub direction: [f64; 3],
     /// Wrap angle β on the pulley (rad); 0 without one.
     pub wrap_angle: f64,
-    /// Tension at the outlet (N); NaN where none was given.
+    /// Tension at the outlet (N); NaN if none was given.
     pub outlet_tension: f64,
-    /// Tension at the platform anchor (N) of a cable with weight; that of others is the one at the outlet.
+    /// Tension at the platform anchor (N) of a cable with weight; `None` for others, where it equals that at the
+    /// outlet.
     pub platform_tension: Option<f64>,
     /// Motor angle (rad); `None` without the effect `drum`.
     pub motor_angle: Option<f64>,
-    /// Encoder counts of the motor angle; `None` if the file does not say how its encoder counts.
+    /// Encoder counts of the motor angle; `None` if the file does not state the counts of its encoder.
     pub encoder_counts: Option<f64>,
 }
 
@@ -45,13 +46,13 @@ impl CableCommand {
 #[must_use = "check `failures` before using the lengths"]
 #[derive(Clone, Debug, PartialEq)]
 pub struct InverseSolution {
-    /// Pose that was asked.
+    /// Pose for which the problem was solved.
     pub pose: Pose,
-    /// Every cable.
+    /// Command of every cable.
     pub cables: Vec<CableCommand>,
-    /// Why cables have no path, or no length for their tension; empty if the problem is solved.
+    /// Reasons that cables have no path, or no length for their tension; empty if the problem is solved.
     pub failures: Vec<StaticsError>,
-    /// Why drums have no angle for a length; empty without the effect `drum`.
+    /// Reasons that drums have no angle for a length; empty without the effect `drum`.
     pub winch_failures: Vec<WinchError>,
 }
 
@@ -66,17 +67,17 @@ impl InverseSolution {
         }
     }
 
-    /// Controlled lengths q_θ of all cables (m), or why the first of them has none.
+    /// Controlled lengths q_θ of all cables (m); the first failure if there is one.
     pub fn controlled_lengths(&self) -> Result<Vec<f64>, StaticsError> {
         self.numbers(|cable| cable.controlled_length)
     }
 
-    /// Recorded lengths of all cables (m), or why the first of them has none.
+    /// Recorded lengths of all cables (m); the first failure if there is one.
     pub fn recorded_lengths(&self) -> Result<Vec<f64>, StaticsError> {
         self.numbers(|cable| cable.recorded_length)
     }
 
-    /// True where a cable on its path has no controlled length for want of a tension.
+    /// True if a cable with a path has no controlled length because its tension is missing.
     pub fn needs_tensions(&self) -> bool {
         self.cables.iter().any(|cable| cable.length.is_finite() && cable.controlled_length.is_nan())
     }

@@ -1,4 +1,4 @@
-//! Forward problems: which pose follows from the cables.
+//! Forward problems: the pose that follows from the cables, and tensions that balance a load at a pose.
 
 pub mod closed_form;
 

@@ -1,26 +1,26 @@
-//! Steps of poses, one or eight side by side, and sums over cables in the order that both keep.
+//! Steps of poses, for one or eight poses side by side, and sums over cables in the order common to both.
 
 use crate::geometry::{POSE_ROWS, Pose};
 use crate::model::Model;
 use crate::scalar::{LANES, Lanes, Line, Real, Select};
 
-/// Longest turn of a step (rad), and its longest shift beside the mean cable length: a longer step says little about where it
-/// leads.
+/// Longest turn of a step (rad), and its longest shift relative to the mean cable length: for longer steps the linear
+/// model says little about the pose reached.
 const LONGEST: f64 = 0.5;
 
-/// Lengths that steps are measured by.
+/// Lengths to which steps are compared.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Measure<T> {
-    /// Number of translations, which stand before the rotations.
+    /// Number of translations, which come before the rotations.
     pub(super) translations: usize,
     /// Mean cable length (m).
     pub(super) mean_length: T,
-    /// Length that one radian counts as (m).
+    /// Length that corresponds to one radian (m).
     pub(super) platform_radius: T,
 }
 
 impl<T: Select> Measure<T> {
-    /// Shortens a step that is too long; its size, rotations times the platform radius (m).
+    /// Shortens a step that is too long; returns its size, rotations times the platform radius (m).
     #[inline(always)]
     pub(super) fn shorten<const N: usize>(&self, amounts: &mut [T; N]) -> T {
         let l = self.mean_length;
@@ -60,8 +60,8 @@ pub(super) fn twist_of<const N: usize>(model: &Model, amounts: &[f64; N]) -> [f6
     twist
 }
 
-/// Pose (position, quaternion x, y, z, w) after a twist; the turn (1, ω/2) normalised equals exp(ω) to third order and needs no
-/// sine.
+/// Pose (position, quaternion x, y, z, w) after a twist; the rotation (1, ω/2) normalised equals exp(ω) to third order
+/// and needs no sine.
 #[inline(always)]
 pub fn turned<T: Real>(pose: [T; POSE_ROWS], twist: &[T; 6]) -> [T; POSE_ROWS] {
     let half = twist[0].constant(0.5);
@@ -94,7 +94,7 @@ pub(super) fn displaced_lines<L: Lanes>(lanes: L, pose: &[Line; POSE_ROWS], twis
     trial
 }
 
-/// Moves on to the trial in some lanes.
+/// Replaces the accepted numbers by those of the trial in some lanes.
 #[inline(always)]
 pub(super) fn accept_lines<L: Lanes>(lanes: L, mask: L::Mask, accepted: &mut [Line], trial: &[Line]) {
     for (accepted, trial) in accepted.iter_mut().zip(trial) {

@@ -1,4 +1,4 @@
-//! Further starts of a search when the guess led nowhere.
+//! Further starts of a search if the guess leads to no answer.
 
 use nalgebra::Vector3;
 use rand::{RngExt, SeedableRng};
@@ -6,12 +6,12 @@ use rand::{RngExt, SeedableRng};
 use crate::geometry::{Pose, Twist};
 use crate::model::Model;
 
-/// Height beside width of a box that counts as flat.
+/// Height of a box relative to its width below which it counts as flat.
 const FLAT: f64 = 1e-6;
 
 /// Starts to try after the guess: the home pose, then positions spread over the frame with turned platforms.
 ///
-/// Always the same for the same robot.
+/// The same starts for the same robot.
 pub fn restart_poses(model: &Model, guess: &Pose) -> impl Iterator<Item = Pose> + use<> {
     let home = model.robot().home_or_middle();
     let (min, max) = room_of(model, &home);
@@ -39,8 +39,9 @@ pub fn restart_poses(model: &Model, guess: &Pose) -> impl Iterator<Item = Pose> 
     [home, turned_guess].into_iter().chain(scattered)
 }
 
-/// Corners of the box around frame anchors and home pose. Where all of them are level in some direction that the platform moves
-/// in, poses there are mirror images of each other at best, so the box goes to the side that gravity pulls to, or to both.
+/// Corners of the box around frame anchors and home pose (m). If the box is flat in a direction in which the platform
+/// moves, poses on its two sides are mirror images of each other at best, so that the box is extended to the side of
+/// gravity, or to both sides.
 fn room_of(model: &Model, home: &Pose) -> (Vector3<f64>, Vector3<f64>) {
     let robot = model.robot();
     let anchors = || robot.cables.iter().map(|cable| cable.frame_anchor);

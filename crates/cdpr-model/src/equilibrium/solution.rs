@@ -12,11 +12,11 @@ use crate::scalar::LaneTable;
 pub enum Status {
     /// The pose is the solution: of lengths the exact or least-squares fit, of forces a stable equilibrium.
     Converged,
-    /// No solution was found; the pose is the best one and `reason` says what stands in the way.
+    /// No solution was found; the pose is the best one and `reason` states the cause.
     NotConverged,
     /// Lengths and load do not determine the pose: the platform can move there without resistance.
     Singular,
-    /// An equilibrium that the smallest disturbance ends, and no stable one was found.
+    /// An equilibrium that the smallest disturbance ends; no stable one was found.
     Unstable,
 }
 
@@ -28,26 +28,30 @@ pub struct Solution {
     pub pose: Pose,
     /// How the search ended.
     pub status: Status,
-    /// Tension per cable at its outlet (N), 0 where slack; empty where lengths alone are fitted, which tells none.
+    /// Tension per cable at its outlet (N), 0 if slack; empty if only lengths are fitted, from which no tensions
+    /// follow.
     pub tensions: Vec<f64>,
-    /// Residual per cable at `pose` (m), modelled minus given. In an equilibrium the controlled length that pose and tension ask for minus
-    /// the given one: 0 where taut, and where slack minus the length that is too much. NaN where a cable has no path.
+    /// Residual per cable at `pose` (m), modelled minus given length. In an equilibrium it is the controlled length
+    /// that follows from pose and tension minus the given one: 0 for a taut cable, minus the excess length for a slack
+    /// one. NaN for a cable without a path.
     pub residuals: Vec<f64>,
-    /// Root mean square of `residuals` of lengths that are fitted (m); NaN for an equilibrium.
+    /// Root mean square of `residuals` if lengths are fitted (m); NaN for an equilibrium.
     pub residual_rms: f64,
-    /// Size of Aᵀ f + w in an equilibrium, moments divided by the platform radius (N); NaN where lengths are fitted.
+    /// Size of Aᵀ f + w in an equilibrium, moments divided by the platform radius (N); NaN if lengths are fitted.
     pub wrench_residual: f64,
-    /// Smallest eigenvalue of the symmetric part of K_wx, rotations times the platform radius (N/m): positive where stable.
+    /// Smallest eigenvalue of the symmetric part of K_wx, rotations divided by the platform radius (N/m): positive if
+    /// stable.
     ///
-    /// Stiffness of the motions that taut rigid cables leave free; infinite where there are none; NaN where lengths are fitted.
+    /// With taut rigid cables it is the stiffness of the motions that they leave free, infinite if there are none. NaN
+    /// if lengths are fitted.
     pub stability: f64,
-    /// Number of slack cables; 0 where lengths are fitted.
+    /// Number of slack cables; 0 if lengths are fitted.
     pub slack: usize,
     /// Steps of all starts, accepted and rejected.
     pub iterations: u32,
     /// Starts tried beyond the guess.
     pub restarts: u32,
-    /// The reason in words unless converged; also set where a converged answer needs a remark.
+    /// The reason unless converged, or a remark on a converged answer; `None` without either.
     pub reason: Option<String>,
 }
 
@@ -79,12 +83,12 @@ impl Status {
 pub struct NoSolution {
     /// End of the search.
     pub status: Status,
-    /// The reason in words, where one is known.
+    /// The reason in words, if known.
     pub reason: Option<String>,
 }
 
 impl Solution {
-    /// The solution where it has converged.
+    /// The solution if it has converged; otherwise its status and reason.
     pub fn converged(&self) -> Result<&Self, NoSolution> {
         match self.status {
             Status::Converged => Ok(self),
@@ -92,7 +96,7 @@ impl Solution {
         }
     }
 
-    /// Room for an answer of this many cables, with as many tensions or none.
+    /// Memory for an answer with this many cables and tensions.
     pub(super) fn unsolved(cables: usize, tensions: usize) -> Self {
         Self {
             pose: Pose::identity(),
@@ -135,12 +139,12 @@ impl Solutions {
         self.table.len()
     }
 
-    /// True without problems.
+    /// True if there are no problems.
     pub fn is_empty(&self) -> bool {
         self.table.is_empty()
     }
 
-    /// Pose of one problem (from 0); panics where there is none, as all of these do.
+    /// Pose of one problem (from 0); panics for an item out of range, as all of these functions do.
     pub fn pose(&self, item: usize) -> Pose {
         Pose::from_numbers(std::array::from_fn(|row| self.table.get(row, item)))
     }
@@ -150,17 +154,19 @@ impl Solutions {
         self.table.rows() > TENSIONS
     }
 
-    /// Tension of one cable (0-based; N), 0 where slack; panics where lengths alone are fitted, which tells none.
+    /// Tension of one cable (from 0) at its outlet (N), 0 if slack; panics if only lengths were fitted, from which no
+    /// tensions follow.
     pub fn tension(&self, cable: usize, item: usize) -> f64 {
         self.table.get(TENSIONS + cable, item)
     }
 
-    /// How the search ended; the single problem says it in words.
+    /// Status of one problem; only the solver of a single problem gives a reason in words.
     pub fn status(&self, item: usize) -> Status {
         Status::of_code(self.table.get(STATUS, item))
     }
 
-    /// Root mean square of the residuals of lengths that are fitted (m); 0 for an equilibrium, whose taut cables obey theirs.
+    /// Root mean square of the residuals if lengths are fitted (m); 0 for an equilibrium, since its taut cables have
+    /// their lengths.
     pub fn residual_rms(&self, item: usize) -> f64 {
         self.table.get(RMS, item)
     }

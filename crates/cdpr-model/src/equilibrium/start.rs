@@ -7,7 +7,7 @@ use crate::robot::Robot;
 #[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Start {
-    /// The guess of the caller.
+    /// The guess given by the caller.
     Guess,
     /// The home pose of the robot's file, since no guess is given.
     HomePose,
@@ -16,7 +16,7 @@ pub enum Start {
 }
 
 impl Start {
-    /// Start of a search for a caller with this guess, and the pose there.
+    /// Start of a search for a robot and an optional guess, with the pose there.
     pub fn of(robot: &Robot, guess: Option<&Pose>) -> (Self, Pose) {
         match (guess, robot.home) {
             (Some(guess), _) => (Self::Guess, *guess),

@@ -1,4 +1,4 @@
-//! State of a robot: where it is, what its cables remember, and the memory in which its problems are solved.
+//! State of a robot: its pose, the memories of its cables, and the memory in which its problems are solved.
 
 mod balanced;
 mod single_pose;
@@ -13,11 +13,12 @@ use crate::cable::stretch::hysteresis::Memory;
 use crate::geometry::Pose;
 use crate::model::Model;
 
-/// State of a robot under one model, owned by whoever drives it.
+/// State of a robot under one model, owned by the caller.
 ///
-/// [`Model::inverse`] and [`Model::forward`] read the memories of the cables and write their answer into the state; neither moves the
-/// robot: any number of them may be asked before `State::settle_forward` or `State::settle_inverse` says that the robot went there.
-/// The same state and the same input give the same bytes; a clone is a snapshot, and putting it back restores the robot.
+/// [`Model::inverse`] and [`Model::forward`] read the memories of the cables and write their answer into the state;
+/// neither moves the robot: any number of problems may be solved before `State::settle_forward` or
+/// `State::settle_inverse` moves it. The same state and the same input give the same bytes; a clone is a snapshot, and
+/// putting it back restores the robot.
 ///
 /// ```
 /// use cdpr::equilibrium::State;
@@ -58,7 +59,7 @@ impl State {
         }
     }
 
-    /// [`State::at`] the home pose of the robot, or the middle of its frame anchors where its file states none.
+    /// [`State::at`] the home pose of the robot, or at the middle of its frame anchors if its file states none.
     pub fn at_home(model: &Model) -> Self {
         Self::at(model, &model.robot().home_or_middle())
     }
@@ -78,26 +79,28 @@ impl State {
         self.start
     }
 
-    /// Answer of the last [`Model::forward`]; nothing before the first.
+    /// Answer of the last [`Model::forward`]; `None` before the first.
     pub(crate) fn forward_solution(&self) -> Option<&Solution> {
         self.scratch.as_ref().map(Scratch::solution)
     }
 
-    /// The robot went where the last [`Model::forward`] led: its pose, and what its cables remember of the way.
+    /// Moves the robot to the pose of the last [`Model::forward`] and updates the memories of its cables. Does nothing
+    /// before the first.
     pub fn settle_forward(&mut self, model: &Model) {
         let Some(solution) = self.scratch.as_ref().map(Scratch::solution) else { return };
         self.pose = solution.pose;
         remember(&mut self.memories, model, solution.tensions.iter().copied());
     }
 
-    /// The robot went to the pose of the last [`Model::inverse`], with its tensions.
+    /// Moves the robot to the pose of the last [`Model::inverse`], and updates the memories of its cables from its
+    /// tensions.
     pub fn settle_inverse(&mut self, model: &Model) {
         self.pose = self.inverse.pose;
         remember(&mut self.memories, model, self.inverse.cables.iter().map(|cable| cable.outlet_tension));
     }
 }
 
-/// Every cable comes from its memory to a tension at its outlet (N); a tension that is no number changes nothing.
+/// Moves every memory to a tension at the cable's outlet (N); a tension that is not finite changes nothing.
 fn remember(memories: &mut [Memory], model: &Model, tensions: impl Iterator<Item = f64>) {
     for (cable, (memory, tension)) in memories.iter_mut().zip(tensions).enumerate() {
         if tension.is_finite() {

@@ -1,4 +1,4 @@
-//! Poses, twists, wrenches and motion patterns; nothing here knows of a robot.
+//! Poses, twists, wrenches and motion patterns, without reference to a robot.
 
 mod composed;
 mod nearest_rotation;

@@ -1,4 +1,4 @@
-//! Motion patterns: planar and point robots as row selections of the one spatial code path.
+//! Motion patterns: planar and point robots select rows of the spatial equations.
 
 use nalgebra::Vector3;
 use serde::{Deserialize, Serialize};
@@ -44,7 +44,7 @@ impl MotionPattern {
         matches!(self, Self::PlanarPoint | Self::Planar)
     }
 
-    /// True where the platform can turn.
+    /// True if the platform can rotate.
     pub fn has_rotation(self) -> bool {
         matches!(self, Self::Planar | Self::Spatial)
     }
@@ -59,7 +59,7 @@ impl MotionPattern {
         }
     }
 
-    /// Names of the pose components, as `--pose` takes them.
+    /// Names of the pose components, as the option `--pose` expects them.
     pub(crate) fn pose_components(self) -> &'static str {
         match self {
             Self::PlanarPoint => "x,y",
@@ -78,7 +78,7 @@ pub struct Plane {
 }
 
 impl Plane {
-    /// The plane that a file's `axes` names, e.g. `"xz"`; `None` unless it is two different letters out of x, y, z.
+    /// The plane of a file's `axes`, e.g. `"xz"`; `None` unless it is two different letters out of x, y, z.
     pub fn from_axes(axes: &str) -> Option<Self> {
         let index = |letter: u8| "xyz".bytes().position(|known| known == letter);
         let &[first, second] = axes.as_bytes() else { return None };
@@ -86,7 +86,7 @@ impl Plane {
         (first != second).then_some(Self { first, second })
     }
 
-    /// The two letters.
+    /// The letters of the two axes.
     pub fn axes(self) -> String {
         [self.first, self.second].iter().map(|&index| ["x", "y", "z"][index]).collect()
     }
@@ -111,7 +111,7 @@ impl Plane {
         self.first_axis().cross(&self.second_axis())
     }
 
-    /// The point with these two components (m).
+    /// The vector with these two components along e₁ and e₂ (world, m).
     pub fn embed(self, components: [f64; 2]) -> Vector3<f64> {
         self.first_axis() * components[0] + self.second_axis() * components[1]
     }
@@ -136,9 +136,9 @@ pub enum PatternError {
     ComponentCount {
         /// Name of the pattern.
         pattern: &'static str,
-        /// The components it takes.
+        /// Names of its components.
         components: String,
-        /// How many numbers were given.
+        /// Number of components given.
         found: usize,
     },
     /// A component is NaN or infinite.
@@ -152,7 +152,7 @@ pub enum PatternError {
 }
 
 impl MotionPattern {
-    /// Directions a pose can move in, as n columns of twists; translations along the file's axes first.
+    /// Directions in which a pose can move, as n columns of twists; translations along the file's axes first.
     pub fn twist_basis(self, plane: Plane) -> Vec<Twist> {
         let stacked = |v: Vector3<f64>, omega: Vector3<f64>| Twist::new(v.x, v.y, v.z, omega.x, omega.y, omega.z);
         let zero = Vector3::zeros();
@@ -168,7 +168,7 @@ impl MotionPattern {
         basis
     }
 
-    /// Names of the pose components, of a planar robot with the letters of its plane.
+    /// Names of the pose components, for a planar robot with the letters of its plane.
     pub fn component_names(self, plane: Plane) -> Vec<String> {
         let mut names: Vec<String> = self.pose_components().split(',').map(str::to_owned).collect();
         if self.is_planar() {
@@ -177,7 +177,8 @@ impl MotionPattern {
         names
     }
 
-    /// Names of the components of a wrench, of a planar robot with the letters of its plane: forces, then the moments about the platform origin.
+    /// Names of the components of a wrench, for a planar robot with the letters of its plane: forces, then the moments
+    /// about the platform origin.
     pub fn wrench_names(self, plane: Plane) -> Vec<String> {
         let letters = self.component_names(plane);
         let forces = letters.iter().take(self.translations()).map(|axis| format!("f{axis}"));
@@ -189,7 +190,7 @@ impl MotionPattern {
         forces.chain(moments.iter().map(|name| (*name).to_owned())).collect()
     }
 
-    /// One finite number per degree of freedom.
+    /// Checks that there is one finite number per degree of freedom.
     fn check(self, plane: Plane, components: &[f64]) -> Result<(), PatternError> {
         let (expected, found) = (self.dof(), components.len());
         if expected != found {
@@ -205,7 +206,8 @@ impl MotionPattern {
         Ok(())
     }
 
-    /// Twist, or acceleration, from its components in the degrees of freedom: translations, then turns (world axes; m/s, rad/s and so on).
+    /// Twist, or acceleration, from its components in the degrees of freedom: translations, then rotations (world axes;
+    /// m/s, rad/s and so on).
     pub fn twist(self, plane: Plane, components: &[f64]) -> Result<Twist, PatternError> {
         self.check(plane, components)?;
         Ok(self.twist_basis(plane).iter().zip(components).map(|(basis, number)| basis * *number).sum())

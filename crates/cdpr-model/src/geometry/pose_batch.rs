@@ -5,9 +5,10 @@ use crate::scalar::{LANES, LaneTable, Lanes, Line, Real};
 
 pub use cdpr_core::geometry::POSE_ROWS;
 
-/// Many poses, stored so that a vector register takes one number of eight poses at once.
+/// Many poses, stored so that a vector register loads one number of eight poses at once.
 ///
-/// Functions over whole batches are several times faster on it than on a slice of [`Pose`]: nothing is rearranged.
+/// Functions over whole batches are several times faster on it than on a slice of [`Pose`], since they need not
+/// rearrange numbers.
 ///
 /// ```
 /// use cdpr::geometry::{Pose, PoseBatch};
@@ -41,12 +42,12 @@ impl PoseBatch {
         self.table.len()
     }
 
-    /// True without poses.
+    /// True if there are no poses.
     pub fn is_empty(&self) -> bool {
         self.table.is_empty()
     }
 
-    /// Takes other poses; memory that was claimed once is kept.
+    /// Replaces the poses; memory that was claimed before is kept.
     pub fn fill(&mut self, poses: &[Pose]) {
         self.table.resize(poses.len());
         for (group, poses) in poses.chunks(LANES).enumerate() {
@@ -69,7 +70,7 @@ impl PoseBatch {
         self.table.write(item, &pose.numbers());
     }
 
-    /// One pose (from 0); panics where there is none.
+    /// One pose (from 0); panics if there is none.
     pub fn get(&self, item: usize) -> Pose {
         let mut numbers = [0.0; POSE_ROWS];
         self.table.read(item, &mut numbers);
@@ -93,7 +94,7 @@ impl PoseBatch {
     }
 }
 
-/// Up to eight poses side by side; places without one get copies of the last.
+/// Writes up to eight poses side by side; missing poses are copies of the last.
 #[inline]
 pub fn transpose(poses: &[Pose], rows: &mut [Line]) {
     for lane in 0..LANES {

@@ -1,11 +1,12 @@
-//! Column names of measurement files: which quantity, in which unit.
+//! Column names of measurement files: their quantities and units.
 
 use crate::reading::did_you_mean;
 
 /// Quantity of a column.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Hash, PartialOrd, Ord)]
 pub(super) enum Quantity {
-    /// Component of the position, from 0: of the world in a name, of the robot's plane once the header is read.
+    /// Component of the position, from 0: of the world while names are read, of the robot's plane after the header is
+    /// read.
     Position(usize),
     /// Component of the quaternion x, y, z, w, from 0.
     Quaternion(usize),
@@ -32,18 +33,18 @@ pub(super) enum Quantity {
 }
 
 impl Quantity {
-    /// Whether only calibration without poses knows it yet.
+    /// True for quantities that only calibration without poses uses.
     pub(super) fn is_internal(self) -> bool {
         matches!(self, Self::Swivel(_) | Self::Mass)
     }
 
-    /// Whether it is one of the platform's pose.
+    /// True for a component of the platform's pose.
     pub(super) fn is_of_pose(self) -> bool {
         matches!(self, Self::Position(_) | Self::Quaternion(_) | Self::Euler(_) | Self::Angle)
     }
 }
 
-/// A column name that some quantity claims.
+/// Quantity and unit of a column name.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Column {
     pub(super) quantity: Quantity,
@@ -56,14 +57,14 @@ const ANGLE_UNITS: &[(&str, f64)] = &[("rad", 1.0), ("deg", std::f64::consts::PI
 const TENSION_UNITS: &[(&str, f64)] = &[("N", 1.0), ("kN", 1e3)];
 const TIME_UNITS: &[(&str, f64)] = &[("s", 1.0), ("ms", 1e-3)];
 
-/// Why a claimed column cannot be used.
+/// A known stem with an unknown unit.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct UnknownUnit {
     pub(super) unit: String,
     pub(super) help: String,
 }
 
-/// The meaning of a column name; `None` when no quantity claims it.
+/// The quantity and unit of a column name; `None` if it names no quantity.
 pub(super) fn meaning(name: &str) -> Result<Option<Column>, UnknownUnit> {
     let name = name.trim();
     let plain = |quantity| Ok(Some(Column { quantity, factor: 1.0 }));
@@ -87,7 +88,7 @@ pub(super) fn meaning(name: &str) -> Result<Option<Column>, UnknownUnit> {
         ("t", TIME_UNITS, Quantity::Time),
         ("time", TIME_UNITS, Quantity::Time),
     ] {
-        // one more word than the stem: `x_m`, but not `x_controller_estimate_m`
+        // the stem and one more word: `x_m`, but not `x_controller_estimate_m`
         if let Some(unit) = name.strip_prefix(stem).and_then(|rest| rest.strip_prefix('_'))
             && !unit.contains('_')
         {
@@ -103,7 +104,7 @@ pub(super) fn meaning(name: &str) -> Result<Option<Column>, UnknownUnit> {
     ] {
         let Some(rest) = name.strip_prefix(stem).and_then(|rest| rest.strip_prefix('_')) else { continue };
         let Some((unit, number)) = rest.rsplit_once('_') else { continue };
-        // `swivel_change_rad_1` counts from elsewhere
+        // `swivel_change_rad_1` has another origin
         if stem == "swivel" && unit.contains('_') {
             continue;
         }

@@ -1,4 +1,4 @@
-//! Reader of measurement CSV files; every mistake with its line and column.
+//! Reader of measurement CSV files; every error with its line and column.
 
 mod complaints;
 mod content;
@@ -27,25 +27,26 @@ pub use options::ReadingOptions;
 use rows::{CsvFile, Format};
 use skipping::Skipped;
 
-/// A data set with what its reader noticed.
+/// A data set with the remarks of its reader.
 #[derive(Clone, Debug)]
 pub struct Reading {
     /// The samples.
     pub samples: Samples,
     /// Remarks for the user, e.g. on ignored columns.
     pub notices: Vec<String>,
-    /// The mistake of recording that explains why poses and lengths disagree, in words; a reason to doubt all that follows.
+    /// The mistake of recording that explains a disagreement of poses and lengths, in words; a reason to doubt all
+    /// results.
     pub mix_up: Option<String>,
 }
 
-/// A measurement file in memory, and how it is to be read.
+/// A measurement file in memory, with the options of reading.
 #[derive(Clone, Copy, Debug)]
 pub struct MeasurementFile<'a> {
     /// The bytes: UTF-8, UTF-16 or Latin-1; separated by commas, semicolons or tabs.
     pub bytes: &'a [u8],
     /// Its name in messages.
     pub name: &'a str,
-    /// Choices.
+    /// Options of reading.
     pub options: &'a ReadingOptions,
 }
 
@@ -58,7 +59,7 @@ impl MeasurementFile<'_> {
         })
     }
 
-    /// Hands over the file as text.
+    /// Passes the file to `take` as text.
     fn with_content<T>(
         &self,
         content: Content,
@@ -93,25 +94,25 @@ pub fn poses_from_csv(bytes: &[u8], file_name: &str, robot: &Robot) -> Result<Ve
     file.with_content(Content::Poses, robot, |file| Ok(file.table()?.samples.poses))
 }
 
-/// All rows of a file, and what its reader noticed.
+/// All rows of a file, with the remarks of its reader.
 struct Table {
-    /// Poses are those of the identity where the file has none.
+    /// The samples; poses are the identity if the file has none.
     samples: Samples,
     notices: Vec<String>,
     format: Format,
-    /// Components of the poses that are known, where the file is read for those.
+    /// Known components of the poses, for files of internal sensors.
     known: Vec<Vec<bool>>,
-    /// Swivel angles, cable by cable (rad); empty where the file has none.
+    /// Swivel angles, cable by cable (rad); empty if the file has none.
     swivels: Vec<f64>,
-    /// Masses, sample by sample (kg); empty where the file has none.
+    /// Masses, sample by sample (kg); empty if the file has none.
     masses: Vec<f64>,
-    /// Angles of the poses as the file gives them (rad), if it gives angles.
+    /// Angles of the poses as in the file (rad); empty if it has none.
     angles: Vec<[f64; 3]>,
     too_far: TooFar,
     skipped: Skipped,
 }
 
-/// Rows with a number beyond all measure of the robot.
+/// Rows with a number far beyond the robot's size.
 #[derive(Default)]
 struct TooFar {
     /// Indices of their samples, increasing.
@@ -120,7 +121,7 @@ struct TooFar {
     first: Option<ReadError>,
 }
 
-/// One row, whole.
+/// The numbers of one row.
 #[derive(Default)]
 struct Numbers {
     pose: Option<Pose>,
@@ -180,7 +181,7 @@ impl CsvFile<'_> {
         Ok(Table { samples, notices, format, known, swivels, masses, angles, too_far, skipped })
     }
 
-    /// All numbers of a row, or its first mistake.
+    /// Reads all numbers of a row; the error is the first one in the row.
     fn numbers(&self, format: &Format, row: &rows::Row<'_>, numbers: &mut Numbers) -> Result<(), ReadError> {
         let columns = &format.columns;
         if self.content == Content::Internal {
@@ -214,7 +215,7 @@ impl CsvFile<'_> {
         Ok(())
     }
 
-    /// The samples of a table whose numbers are of the robot's size, with all remarks.
+    /// Samples of a table with numbers of the robot's size, with all remarks.
     fn judged(&self, table: Table) -> Result<Reading, ReadError> {
         let Table { mut samples, mut notices, format, angles, too_far, mut skipped, .. } = table;
         let (rows, mut mix_up) = (samples.len() + skipped.count(), None);
@@ -235,10 +236,10 @@ impl CsvFile<'_> {
         Ok(Reading { samples, notices, mix_up })
     }
 
-    /// Samples without those beyond all measure, which are refused unless invalid rows are to be skipped.
+    /// Samples without rows far beyond the robot's size, which are an error unless invalid rows are to be skipped.
     fn without_too_far(&self, samples: Samples, too_far: TooFar, skipped: &mut Skipped) -> Result<Samples, ReadError> {
         let TooFar { rows, first: Some(first) } = too_far else { return Ok(samples) };
-        // where most rows are too far, the file is at fault and not some rows of it
+        // if most rows are too far, the file as a whole is wrong
         if !self.options.skip_invalid || 2 * rows.len() > samples.len() {
             return Err(first);
         }

@@ -1,8 +1,8 @@
-//! Guesses at the meaning of column names that are not those that are read.
+//! Guesses at the quantities of unknown column names.
 
 use crate::reading::did_you_mean;
 
-/// Other words that laboratories write for a quantity; in lower case, letters and digits only.
+/// Other words for a quantity in logs of laboratories; in lower case, letters and digits only.
 const SYNONYMS: &[(&str, &[&str])] = &[
     ("x", &["x", "px", "tx", "posx", "positionx", "xpos"]),
     ("y", &["y", "py", "ty", "posy", "positiony", "ypos"]),
@@ -19,10 +19,10 @@ const SYNONYMS: &[(&str, &[&str])] = &[
     ("tension", &["tension", "cabletension", "force", "cableforce", "f"]),
 ];
 
-/// Units that stand in names, whether they are read or not.
+/// Units in names, known or not.
 const UNITS: &[&str] = &["", "m", "mm", "cm", "rad", "deg", "n", "kn"];
 
-/// The unclaimed column that probably is the missing one of this name, e.g. `cable_length_1` or `L1 [mm]`.
+/// The unknown column that probably is the missing one of this name, e.g. `cable_length_1` or `L1 [mm]`.
 pub(super) fn probably_meant<'a>(missing: &str, unclaimed: &[&'a str]) -> Option<&'a str> {
     let (stem, number) = match missing.rsplit_once('_') {
         Some((stem, number)) if number.parse::<usize>().is_ok() => (stem, number),
@@ -44,7 +44,7 @@ pub(super) fn probably_meant<'a>(missing: &str, unclaimed: &[&'a str]) -> Option
     unclaimed.iter().copied().find(|name| is_meant(name)).or_else(alike)
 }
 
-/// The name of a missing column in the unit that the column meant by it has, e.g. `angle_deg` for `phi_deg`.
+/// The name of a missing column in the unit of the column that probably is it, e.g. `angle_deg` for `phi_deg`.
 pub(super) fn in_its_unit(missing: &str, meant: &str) -> String {
     let meant = meant.to_lowercase();
     let has = |unit: &str| meant.split(|c: char| !c.is_ascii_alphanumeric()).any(|word| word == unit);
@@ -53,7 +53,7 @@ pub(super) fn in_its_unit(missing: &str, meant: &str) -> String {
     missing.split('_').map(|part| if part == si { unit } else { part }).collect::<Vec<_>>().join("_")
 }
 
-/// Whether what follows a stem is nothing or `_` and a unit.
+/// True if the text after a stem is empty or `_` and a unit.
 fn is_unit(rest: &str) -> bool {
     rest.is_empty() || rest.starts_with('_') && UNITS.contains(&rest[1..].to_lowercase().as_str())
 }

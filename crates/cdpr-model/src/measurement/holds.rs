@@ -1,36 +1,38 @@
 //! Rows of a log in which a pose is held: ranges between changes.
 //!
-//! At every row the mean of a window before it is compared with the mean of the window from it on, coordinate by coordinate and length by length. Where
-//! they differ by more than noise and resolution can, the platform moves; what lies between changes for a second is held. A range whose
-//! means wander farther than a held pose may is looked at again with longer windows, which see slower motions. Where nothing is held so, lengths alone
-//! decide: a platform may swing to and fro while its cables hold their lengths. Last, each end goes out row by row as far as rows, and their
-//! mean, are those of the rows inside.
+//! At every row the mean over a window before it is compared with the mean over the window from it on, coordinate by
+//! coordinate and length by length. If they differ by more than noise and resolution explain, the platform moves; a
+//! range of a second or more between such changes is held. A range with means that wander farther than a held pose may
+//! is searched again with longer windows, which detect slower motions. If nothing is held so, lengths alone decide: a
+//! platform may swing while its cables hold their lengths. Last, each end is extended row by row as long as rows, and
+//! their mean, are like the rows inside.
 
 use std::ops::Range;
 
 use super::Samples;
 
-/// A pose is held when it stays for this long (s) …
+/// Least duration of a held pose (s) …
 pub(super) const HELD: f64 = 1.0;
-/// … but for rows that the ends of a log and gaps have cost it.
+/// … as a fraction, to allow for rows lost at the ends of a log and in gaps.
 const NEARLY: f64 = 0.85;
-/// Half width of the windows that are compared (s), at least a row, and how often it is doubled for slow motions.
+/// Half width of the windows that are compared (s), at least one row, and the number of times it is doubled for slow
+/// motions.
 const WINDOW: f64 = 0.2;
 const DOUBLINGS: u32 = 4;
-/// Deviations beyond which a difference of means is none of noise.
+/// Difference of means, in standard deviations, above which it is not noise.
 const SIGNIFICANT: f64 = 5.0;
-/// The same of single rows, and of the mean of the rows at an end.
+/// The same limit for single rows, and for the mean of the rows at an end.
 const EDGE: f64 = 4.0;
-/// Differences below this share of the diagonal of the anchors' box are no motion.
+/// Fraction of the diagonal of the anchors' box below which a difference is no motion.
 const FLOOR_SHARE: f64 = 1e-5;
-/// A held pose stays within this share of the diagonal, or this many deviations.
+/// A held pose stays within this fraction of the diagonal, or within this many standard deviations.
 const STILL_SHARE: f64 = 3e-4;
 const STILL_NOISE: f64 = 8.0;
-/// Halves of a swing differ by less than this share of its width.
+/// Largest difference between the halves of a swing, as a fraction of its width.
 const TO_AND_FRO: f64 = 0.25;
-/// Longer pauses end a range (typical intervals).
+/// Pauses longer than this end a range (typical intervals).
 pub(super) const LONGEST_PAUSE: f64 = 20.0;
-/// Lower quartile of the magnitude of a normal number, in deviations.
+/// Lower quartile of the magnitude of a normal number, in standard deviations.
 const QUARTILE: f64 = 0.3186;
 
 /// Coordinates and lengths of a log over time.
@@ -45,11 +47,11 @@ pub(super) struct Log<'a> {
 
 /// One coordinate of the position, or one length.
 struct Channel {
-    /// Numbers from the first one (m).
+    /// Numbers relative to the first one (m).
     values: Vec<f64>,
-    /// Sums of the numbers before each row (m).
+    /// Sums of all numbers before each row (m).
     sums: Vec<f64>,
-    /// Deviation of a row (m).
+    /// Standard deviation of a row (m).
     noise: f64,
     /// Resolution, the least difference between rows (m).
     step: f64,
@@ -76,13 +78,13 @@ impl Channel {
         (self.sums[rows.end] - self.sums[rows.start]) / rows.len() as f64
     }
 
-    /// Largest less least number in some rows.
+    /// Largest less least number in a range of rows.
     fn span(&self, rows: &Range<usize>) -> f64 {
         let values = &self.values[rows.clone()];
         values.iter().copied().fold(f64::NEG_INFINITY, f64::max) - values.iter().copied().fold(f64::INFINITY, f64::min)
     }
 
-    /// Standard deviation of a row about the mean of some rows, no less than the noise.
+    /// Standard deviation of a row about the mean of a range of rows, at least the noise.
     fn scatter(&self, rows: &Range<usize>) -> f64 {
         let mean = self.mean(rows);
         let squares = self.values[rows.clone()].iter().map(|value| (value - mean).powi(2)).sum::<f64>();
@@ -91,7 +93,7 @@ impl Channel {
 }
 
 impl<'a> Log<'a> {
-    /// The positions and, where lengths were recorded, the lengths of samples with times.
+    /// The positions of samples with times and, if they were recorded, the lengths.
     pub(super) fn new(samples: &Samples, time: &'a [f64], diagonal: f64) -> Self {
         let of_axis = |axis: usize| {
             let first = samples.poses.first().map_or(0.0, |pose| pose.position[axis]);
@@ -112,7 +114,7 @@ impl<'a> Log<'a> {
         let mut found = Vec::new();
         let parts = self.parts();
         parts.iter().for_each(|part| self.search(part, (WINDOW, DOUBLINGS), false, &mut found));
-        // a platform that swings while its cables hold their lengths, where lengths change at all
+        // a platform that swings while its cables hold their lengths, if lengths change at all
         let all = 0..self.time.len();
         let still = STILL_SHARE * self.diagonal;
         if self.channels.iter().any(|channel| !channel.is_position && channel.span(&all) > still) {
@@ -123,7 +125,7 @@ impl<'a> Log<'a> {
         found
     }
 
-    /// Rows without long pauses between them, whose times rise.
+    /// Ranges of rows with rising times and without long pauses.
     fn parts(&self) -> Vec<Range<usize>> {
         let pause = LONGEST_PAUSE * self.interval;
         let (mut parts, mut start) = (Vec::new(), 0);
@@ -137,7 +139,8 @@ impl<'a> Log<'a> {
         parts
     }
 
-    /// Adds the holds within some rows, by windows of a half width (s) that may be doubled a number of times; those of a platform that swings by lengths alone.
+    /// Adds the holds in a range of rows, with windows of a half width (s) that may be doubled this many times; with
+    /// `swings` by lengths alone.
     fn search(
         &self,
         part: &Range<usize>,
@@ -177,12 +180,12 @@ impl<'a> Log<'a> {
         runs
     }
 
-    /// Lengths, and unless the platform swings positions.
+    /// The channels that decide: all, or with `swings` the lengths only.
     fn asked(&self, swings: bool) -> impl Iterator<Item = &Channel> {
         self.channels.iter().filter(move |channel| !(swings && channel.is_position))
     }
 
-    /// Whether the means of rows before and after a row differ by more than noise and resolution explain.
+    /// True if the means of rows before and after a row differ by more than noise and resolution explain.
     fn changes(&self, before: Range<usize>, after: Range<usize>, swings: bool) -> bool {
         if before.is_empty() || after.is_empty() {
             return false;
@@ -195,7 +198,7 @@ impl<'a> Log<'a> {
         })
     }
 
-    /// Whether the means of windows within a range leave what a held pose may do.
+    /// True if the means of windows in a range differ by more than a held pose may.
     fn wanders(&self, run: &Range<usize>, window: f64, swings: bool) -> bool {
         let rows = ((window / self.interval).ceil() as usize).clamp(1, run.len());
         let starts = || (run.start..=run.end - rows).step_by(rows).chain([run.end - rows]);
@@ -206,7 +209,7 @@ impl<'a> Log<'a> {
         })
     }
 
-    /// Whether positions go from one place to another within a range, rather than to and fro.
+    /// True if positions move in one direction in a range, rather than to and fro.
     fn drifts(&self, run: &Range<usize>) -> bool {
         let middle = run.start + run.len() / 2;
         self.channels.iter().filter(|channel| channel.is_position).any(|channel| {
@@ -215,7 +218,7 @@ impl<'a> Log<'a> {
         })
     }
 
-    /// A range with the rows beside it, within a window, that are like the rows inside.
+    /// A range extended, within a window, by the rows beside it that are like the rows inside.
     fn extended(&self, run: &Range<usize>, part: &Range<usize>, window: f64) -> Range<usize> {
         let inside: Vec<(f64, f64)> = self.channels.iter().map(|c| (c.mean(run), c.scatter(run))).collect();
         let belongs = |row: usize, so_far: &Range<usize>| {
@@ -238,7 +241,8 @@ impl<'a> Log<'a> {
     }
 }
 
-/// Ranges at rest and ranges of held lengths as one list: of those that are about one pose the range of lengths, unless the platform is at rest for most of it.
+/// Ranges at rest and ranges of held lengths in one list: of overlapping ones the range of lengths, unless the platform
+/// is at rest for most of it.
 fn with_swings(at_rest: Vec<Range<usize>>, held: Vec<Range<usize>>) -> Vec<Range<usize>> {
     let meet = |one: &Range<usize>, other: &Range<usize>| one.start < other.end && other.start < one.end;
     let (inside, mut all): (Vec<_>, Vec<_>) =

@@ -1,26 +1,28 @@
-//! Samples of sensors inside the machine, at poses that nobody measured.
+//! Samples of sensors inside the machine, at poses that were not measured.
 
 use super::{DataError, Known, Samples};
 
 /// Samples at poses that are known in part or not at all.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct InternalSamples {
-    /// Recordings; poses hold the components that are known, and elsewhere those of the identity.
+    /// Recordings; unknown components of the poses are those of the identity.
     pub samples: Samples,
-    /// Known components of each pose in the order of the pattern's degrees of freedom: positions, then turns.
+    /// True for the known components of each pose, in the order of the pattern's degrees of freedom: positions, then
+    /// rotations.
     pub known: Vec<Vec<bool>>,
-    /// Swivel angles of the pulleys about `pulley_swivel_axis`, 0 towards gravity's part across it, laid out as the lengths (rad).
+    /// Swivel angles of the pulleys about `pulley_swivel_axis`, 0 towards gravity's component perpendicular to it, laid
+    /// out as the lengths (rad).
     pub swivels: Option<Vec<f64>>,
-    /// Mass of the platform with its load, sample by sample (kg); that of the robot's file where there are none.
+    /// Mass of the platform with its load, sample by sample (kg); `None` uses that of the robot's file.
     pub masses: Option<Vec<f64>>,
-    /// Facts known of the robot besides.
+    /// Further known facts about the robot.
     pub facts: Vec<Known>,
-    /// True where lengths count from that of one common pose, which is the world's origin.
+    /// True if lengths are changes from those at one common pose, which is the world's origin.
     pub are_changes: bool,
 }
 
 impl InternalSamples {
-    /// Samples without any pose of a robot with so many degrees of freedom.
+    /// Samples without any pose of a robot with this many degrees of freedom.
     pub fn without_poses(samples: Samples, dof: usize, are_changes: bool) -> Self {
         Self {
             known: vec![vec![false; dof]; samples.len()],
@@ -47,7 +49,8 @@ impl InternalSamples {
         }
     }
 
-    /// These samples followed by others; quantities that only one of the two has are dropped, facts are those of the first.
+    /// These samples followed by others; quantities that only one of the two has are dropped, facts are those of the
+    /// first.
     pub fn followed_by(&self, other: &Self) -> Result<Self, DataError> {
         if self.are_changes != other.are_changes {
             return Err(DataError::DifferentLengths);
@@ -63,12 +66,12 @@ impl InternalSamples {
         })
     }
 
-    /// Number of poses that are known whole.
+    /// Number of completely known poses.
     pub fn whole_poses(&self) -> usize {
         self.known.iter().filter(|known| known.iter().all(|known| *known)).count()
     }
 
-    /// Number of components that are known.
+    /// Number of known components.
     pub fn known_count(&self) -> usize {
         self.known.iter().flatten().filter(|known| **known).count()
     }

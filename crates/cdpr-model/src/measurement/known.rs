@@ -1,22 +1,23 @@
-//! Facts known of a robot besides its samples: distances, tape-measured lengths, anchors on a plane or a wall, equal drums.
+//! Known facts about a robot besides its samples: distances, tape-measured lengths, anchors on a plane or a wall, equal
+//! drums.
 
 use std::str::FromStr;
 
 use thiserror::Error;
 
-/// Standard deviation of a distance without a stated one (m).
+/// Standard deviation of a fact without a stated one (m).
 const ASSUMED: f64 = 1e-3;
 
-/// One fact known of a robot, with its standard deviation; cables count from 0.
+/// A known fact about a robot, with its standard deviation; cables count from 0.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Known {
-    /// The thing.
+    /// The fact.
     pub fact: Fact,
     /// Standard deviation (m).
     pub sigma: f64,
 }
 
-/// A thing that is known of a robot.
+/// A fact about a robot.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Fact {
     /// Distance of two frame anchors (m).
@@ -26,7 +27,7 @@ pub enum Fact {
         /// Distance (m).
         metres: f64,
     },
-    /// Length of a cable from its frame anchor, arc included, at the pose where lengths count from (m).
+    /// Length of a cable from its frame anchor, arc included, at the pose from which lengths count (m).
     Length {
         /// The cable.
         cable: usize,
@@ -40,7 +41,7 @@ pub enum Fact {
         /// The cables.
         cables: Vec<usize>,
     },
-    /// Frame anchors on one plane, however it lies.
+    /// Frame anchors on one plane of any orientation.
     Plane {
         /// The cables, four at least; the first three span it.
         cables: Vec<usize>,
@@ -52,10 +53,10 @@ pub enum Fact {
     },
 }
 
-/// A known thing that cannot be read, or is not of this robot.
+/// A fact that cannot be read, or does not fit the robot or its data.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum KnownError {
-    /// Text that says nothing known.
+    /// Text that cannot be read as a fact.
     #[error(
         "cannot read `{text}`: write distance[1,2]=2.412, length[1]=1.597, plane[1,2,3,4], wall-x[1,2], wall-y[1,2], level[1,2,3] or equal-drum-radius[1,2], each with \
          a standard deviation in metres if you know it, e.g. distance[1,2]=2.412+-0.002"
@@ -64,7 +65,7 @@ pub enum KnownError {
         /// The text.
         text: String,
     },
-    /// A cable that the robot has not, or too few of them.
+    /// A cable that the robot does not have, or too few cables.
     #[error("`{text}`: the robot has cables 1 to {cable_count}, and {needed} different ones are needed here at least")]
     Cables {
         /// The text.
@@ -74,7 +75,7 @@ pub enum KnownError {
         /// Cables needed.
         needed: usize,
     },
-    /// A length at a pose that the data have not.
+    /// A length at the common pose, for data with absolute lengths.
     #[error(
         "`{text}`: the data have absolute lengths, so that there is no pose where they count from; this is known of length changes only"
     )]
@@ -85,7 +86,7 @@ pub enum KnownError {
 }
 
 impl Known {
-    /// Cables that it speaks of.
+    /// Cables in the fact.
     pub(crate) fn cables(&self) -> &[usize] {
         match &self.fact {
             Fact::Distance { cables, .. } => cables,
@@ -94,7 +95,7 @@ impl Known {
         }
     }
 
-    /// Refuses what is not of a robot with so many cables, or of lengths that count from nothing.
+    /// Checks that the fact fits a robot with this many cables, and that a length comes with length changes.
     pub fn check(&self, cable_count: usize, are_changes: bool) -> Result<(), KnownError> {
         let needed = match self.fact {
             Fact::Length { .. } => 1,

@@ -1,8 +1,8 @@
-//! Whether poses and lengths are of the robot's size, or fit it only when read in another unit.
+//! Check whether poses and lengths are of the robot's size, or fit it only in another unit.
 //!
-//! Lengths of point outlets at the recorded poses are compared with the recorded lengths, as the file states both and as
-//! it would state them in another unit. Winch offsets and coarse anchors leave centimetres to decimetres; a wrong unit
-//! leaves a multiple of the robot, and the right one lets the misfit fall by orders of magnitude.
+//! Lengths of point outlets at the recorded poses are compared with the recorded lengths, in the units of the file and
+//! in others. Winch offsets and coarse anchors cause misfits of centimetres to decimetres; a wrong unit causes a
+//! multiple of the robot's size, and the right one reduces the misfit by orders of magnitude.
 
 use std::f64::consts::PI;
 
@@ -11,29 +11,29 @@ use super::{Samples, position_columns, three_digits};
 use crate::geometry::{MotionPattern, Pose};
 use crate::robot::Robot;
 
-/// Misfits below this share of the lengths are no question of units.
+/// Fraction of the lengths below which a misfit is no question of units.
 const IGNORED_SHARE: f64 = 0.02;
-/// Another reading is certain when it leaves at most this share of the misfit.
+/// Largest fraction of the misfit that remains with another reading that is certain.
 const CERTAIN: f64 = 0.1;
-/// Another reading is worth a notice when it leaves at most this share of the misfit.
+/// Largest fraction of the misfit that remains with another reading that deserves a notice.
 const DOUBTFUL: f64 = 0.33;
-/// Most samples that are looked at.
+/// Largest number of samples compared.
 const LOOKED_AT: usize = 200;
-/// No length and no position is farther than this many times the distance of the frame anchors.
+/// Largest length or coordinate, as a multiple of the largest distance between frame anchors.
 const FARTHEST: f64 = 50.0;
 
 /// Verdict of the numbers on their units.
 #[derive(Debug, PartialEq)]
 pub(super) enum Finding {
-    /// Nothing.
+    /// The units are plausible.
     Plausible,
-    /// Another reading fits better, but not so that it must be meant.
+    /// Another reading fits better, but is not certain.
     Doubtful(String),
-    /// Another unit is meant; the quantity names a column at fault.
+    /// Another unit is certain; `quantity` is that of a wrong column.
     Wrong { quantity: Quantity, message: String, help: String },
 }
 
-/// Another way to read the file.
+/// Another reading of the file.
 struct Alternative {
     quantity: Quantity,
     /// Factors on positions and lengths.
@@ -41,7 +41,7 @@ struct Alternative {
     length: f64,
     rotation: Rotation,
     words: &'static str,
-    /// How to mend it; `{positions_mm}` stands for the columns of the robot's positions in mm.
+    /// Advice for the user; `{positions_mm}` stands for the columns of the robot's positions in mm.
     help: &'static str,
 }
 
@@ -117,7 +117,7 @@ const ALTERNATIVES: &[Alternative] = &[
     ),
 ];
 
-/// Compares the samples with the robot; `angles` are those that the file gives (rad), if it gives angles.
+/// Compares the samples with the robot; `angles` are those of the file (rad), empty if it has none.
 pub(super) fn judge(robot: &Robot, samples: &Samples, angles: &[[f64; 3]]) -> Finding {
     let comparison = Comparison { robot, samples, angles };
     let as_written = comparison.misfit(&lengths(1.0, 1.0, "", ""));
@@ -144,7 +144,7 @@ pub(super) fn judge(robot: &Robot, samples: &Samples, angles: &[[f64; 3]]) -> Fi
     Finding::Wrong { quantity: alternative.quantity, message: words, help }
 }
 
-/// The largest length or coordinate that a sample of this robot can have (m); infinite when its anchors are one point.
+/// The largest length or coordinate possible for this robot (m); infinite if its frame anchors coincide.
 pub(super) fn farthest(robot: &Robot) -> f64 {
     let anchors = || robot.cables.iter().map(|cable| cable.frame_anchor);
     let extent = anchors().flat_map(|a| anchors().map(move |other| (a - other).norm())).fold(0.0, f64::max);

@@ -1,7 +1,8 @@
-//! Mistakes of recording that explain why poses and lengths disagree, found by trying them.
+//! Mistakes of recording that explain a disagreement of poses and lengths, found by trying them.
 //!
-//! Lengths of point outlets at the poses, read in another way, are compared with the recorded lengths, cable by cable and up to an
-//! offset and a scale, which winches are free to have. A mix-up is named when so read at most a third of the misfit is left.
+//! Lengths of point outlets at the poses, in another reading, are compared with the recorded lengths, cable by cable
+//! and up to an offset and a scale, which winches may have. A mix-up is reported if at most a third of the misfit
+//! remains with it.
 
 mod alternatives;
 mod data;
@@ -17,21 +18,22 @@ use super::three_digits;
 use crate::geometry::Pose;
 use crate::robot::Robot;
 
-/// Misfits below this share of the diagonal of the anchors' box are no question of mix-ups.
+/// Fraction of the diagonal of the anchors' box below which a misfit is no question of mix-ups.
 const IGNORED_SHARE: f64 = 2e-4;
-/// The same for a marker, which has six numbers to adapt to anchors that are a little wrong.
+/// The same for a marker: its six numbers can also adapt to slightly wrong anchors.
 const IGNORED_OF_MARKER: f64 = 1e-3;
-/// A mix-up explains the misfit when it leaves at most this share of it.
+/// Largest fraction of the misfit that remains with a mix-up that explains it.
 const EXPLAINED: f64 = 1.0 / 3.0;
-/// It does not when it leaves more than this share of the diagonal: a tracker that is turned by a right angle looks a little like permuted cables.
+/// Largest residual of a mix-up, as a fraction of the diagonal: a tracker turned by a right angle resembles permuted
+/// cables a little.
 const MOST_LEFT: f64 = 0.01;
-/// A later way to read the data is told instead of an earlier one when it leaves at most this share of what that leaves.
+/// Largest residual, as a fraction of that of an earlier reading, with which a later one replaces it.
 const CLEARLY: f64 = 0.5;
-/// Fewest samples that tell.
+/// Least number of samples for a verdict.
 const FEWEST: usize = 6;
 
-/// The mix-up that explains the misfit of poses and lengths, in words; `angles` are those that the file gives (rad), if it gives
-/// angles.
+/// The mix-up that explains the misfit of poses and lengths, in words; `None` without one. `angles` are those of the
+/// file (rad), empty if it has none.
 pub(super) fn found(robot: &Robot, samples: &Samples, angles: &[[f64; 3]]) -> Option<String> {
     let data = Data::of(robot, samples, angles);
     if data.poses.len() < FEWEST {
@@ -51,7 +53,8 @@ pub(super) fn found(robot: &Robot, samples: &Samples, angles: &[[f64; 3]]) -> Op
 }
 
 impl Data<'_> {
-    /// The mix-up that leaves least, with what it leaves (m), where that is below a limit; of the marker only where no other explains.
+    /// The mix-up with the least residual, with this residual (m), if it is below a limit; a marker only if no other
+    /// explains the misfit.
     fn best(&self, limit: f64, may_be_marker: bool) -> Option<(f64, String)> {
         let mut best: Option<(f64, String)> = None;
         let mut offer = |left: f64, words: &dyn Fn() -> String| {
@@ -81,7 +84,7 @@ impl Data<'_> {
         })
     }
 
-    /// Misfit when every cable of the robot takes the column that fits it best (m), and these columns.
+    /// Misfit if every cable of the robot takes the column that fits it best (m), and these columns.
     fn permuted(&self) -> (f64, Vec<usize>) {
         let m = self.recorded.len();
         let modelled: Vec<Vec<f64>> = (0..m).map(|cable| self.lengths(cable, &self.poses)).collect();

@@ -1,4 +1,4 @@
-//! Measured samples: poses, cable lengths, tensions; their files and how accurate the sensors are.
+//! Measured samples: poses, cable lengths, tensions; their files and the accuracies of the sensors.
 
 #[cfg(feature = "files")]
 mod columns;

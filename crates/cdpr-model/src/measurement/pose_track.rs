@@ -1,13 +1,13 @@
-//! Poses over time, interpolated where the recording has no long gap.
+//! Poses over time, interpolated except in long gaps of the recording.
 
 use crate::geometry::Pose;
 
-/// Gaps up to this many typical intervals are interpolated.
+/// Longest gap that is interpolated, in typical intervals.
 const LONGEST_GAP: f64 = 3.0;
 
 /// A recording of poses on one clock.
 pub(crate) struct PoseTrack {
-    /// Increasing (s).
+    /// Increasing times (s).
     times: Vec<f64>,
     poses: Vec<Pose>,
     /// The longest gap that is interpolated (s).
@@ -15,7 +15,8 @@ pub(crate) struct PoseTrack {
 }
 
 impl PoseTrack {
-    /// Poses at their times, in any order; of equal times the first counts. Gaps up to three typical intervals are interpolated.
+    /// Poses at their times, in any order; of equal times the first counts. Gaps up to three typical intervals are
+    /// interpolated.
     pub(crate) fn new(times: &[f64], poses: &[Pose]) -> Self {
         let mut order: Vec<usize> = (0..times.len().min(poses.len())).collect();
         order.sort_by(|&a, &b| times[a].total_cmp(&times[b]));
@@ -33,7 +34,7 @@ impl PoseTrack {
         Some((*self.times.first()?, *self.times.last()?))
     }
 
-    /// The pose at a time, on the straight way between its neighbours; `None` before, after, and in long gaps.
+    /// The pose at a time, interpolated between its neighbours; `None` before, after, and in long gaps.
     pub(crate) fn at(&self, time: f64) -> Option<Pose> {
         let after = self.times.partition_point(|known| *known < time);
         if self.times.get(after) == Some(&time) {
@@ -41,7 +42,7 @@ impl PoseTrack {
         }
         let before = after.checked_sub(1)?;
         let interval = self.times.get(after)? - self.times[before];
-        // the half of a rounding error that a limit of exactly one gap may lack
+        // allows for the rounding error of a gap exactly at the limit
         if interval > self.longest_gap * (1.0 + 1e-9) {
             return None;
         }

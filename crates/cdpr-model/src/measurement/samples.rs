@@ -13,22 +13,22 @@ pub struct Samples {
     pub poses: Vec<Pose>,
     /// Recorded cable lengths, sample by sample (m), `poses.len()` × m, row-major.
     ///
-    /// Where motor angles were recorded instead, they are what a model's winches make of them (`Model::with_lengths`), and
-    /// not numbers until one is asked.
+    /// If motor angles were recorded instead, these are the lengths of a model's winches (`Model::with_lengths`), and
+    /// NaN until they are computed.
     pub lengths: Vec<f64>,
-    /// Recorded motor angles, laid out as `lengths` (rad); `None` where lengths were recorded.
+    /// Recorded motor angles, laid out as `lengths` (rad); `None` if lengths were recorded.
     pub motor_angles: Option<Vec<f64>>,
     /// Recorded tensions, laid out as `lengths` (N).
     pub tensions: Option<Vec<f64>>,
     /// Number of cables m.
     pub cable_count: usize,
-    /// Name of the subset each sample belongs to (column `set`).
+    /// Name of each sample's subset (column `set`).
     pub set: Option<Vec<String>>,
     /// Time of each sample (s), increasing order not required.
     pub time: Option<Vec<f64>>,
-    /// Line of each sample in its file, from 1; `None` for samples of no file.
+    /// Line of each sample in its file, from 1; `None` for samples without a file.
     pub lines: Option<Vec<usize>>,
-    /// How accurate the sensors are, where known.
+    /// Accuracies of the sensors, as far as known.
     pub sigmas: SensorSigmas,
 }
 
@@ -53,7 +53,7 @@ pub struct SensorSigmas {
     pub swivel: Option<f64>,
 }
 
-/// Data that tell nothing.
+/// Data sets that cannot be used, or not together.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum DataError {
     /// Every row is the same.
@@ -64,18 +64,18 @@ pub enum DataError {
         /// Number of samples.
         samples: usize,
     },
-    /// No times where a log is to be cut by them.
+    /// No times for a log that is to be cut by them.
     #[error("poses at rest are found by time, and the samples have none (column t_s)")]
     NoTimes,
     /// Sets of different robots.
     #[error("the data sets have {first} and {second} cables; they must be of the same robot")]
     DifferentCables {
-        /// Cables of the one.
+        /// Cables of the first.
         first: usize,
-        /// Cables of the other.
+        /// Cables of the second.
         second: usize,
     },
-    /// Lengths of one set beside changes of the other.
+    /// Lengths in one set, changes of length in the other.
     #[error("one data set has lengths, the other their changes from a common pose: they do not count from the same")]
     DifferentLengths,
 }
@@ -112,7 +112,7 @@ impl Samples {
         })
     }
 
-    /// Motor angles of one sample where they were recorded, otherwise its lengths.
+    /// Motor angles of one sample (rad) if they were recorded, otherwise its lengths (m).
     fn recorded_of(&self, sample: usize) -> &[f64] {
         &self.motor_angles.as_ref().unwrap_or(&self.lengths)[sample * self.cable_count..][..self.cable_count]
     }
@@ -122,7 +122,7 @@ impl Samples {
         self.poses.len()
     }
 
-    /// True when there is no sample.
+    /// True if there are no samples.
     pub fn is_empty(&self) -> bool {
         self.poses.is_empty()
     }

@@ -58,7 +58,7 @@ pub struct Provenance {
     pub notes: Vec<String>,
 }
 
-/// JSON Schema of sidecar files; its description tells the columns of the CSV beside it.
+/// JSON Schema of sidecar files; its description lists the columns of the CSV beside it.
 pub fn schema() -> schemars::Schema {
     let mut schema = schemars::schema_for!(Sidecar);
     let columns = "Sidecar `<data>.meta.toml` of a measurement CSV. Columns of the CSV: x_m, y_m, z_m position, of planar \

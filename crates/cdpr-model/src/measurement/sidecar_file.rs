@@ -40,7 +40,7 @@ impl Sidecar {
 
     /// The file's text.
     pub fn to_toml(&self) -> String {
-        // plain numbers and strings: nothing here that TOML cannot hold
+        // plain numbers and strings, which TOML can always hold
         toml::to_string(self).unwrap_or_default()
     }
 }

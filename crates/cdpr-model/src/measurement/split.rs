@@ -1,4 +1,4 @@
-//! Parts of a data set: what to fit, what to judge by.
+//! Parts of a data set for fitting and validation.
 
 use std::fmt;
 use std::str::FromStr;
@@ -10,34 +10,34 @@ use thiserror::Error;
 
 use super::Samples;
 
-/// One way to part samples into training and validation; the two share no sample.
+/// One division of samples into training and validation; the two share no sample.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Fold {
-    /// Name for people.
+    /// Name of the fold.
     pub name: String,
-    /// Indices of the samples to fit.
+    /// Indices of the training samples.
     pub train: Vec<usize>,
-    /// Indices of the samples to judge by.
+    /// Indices of the validation samples.
     pub validation: Vec<usize>,
 }
 
-/// How samples are parted.
+/// Method of dividing samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Split {
     /// By the column `set`: `train` against `validation` (or `test`).
     Column,
-    /// Contiguous blocks in file order, each held out in turn: right for trajectories.
+    /// Contiguous blocks in file order, each held out in turn: suited to trajectories.
     Blocks(usize),
-    /// Random parts, each held out in turn: right for samples that are independent.
+    /// Random parts, each held out in turn: suited to independent samples.
     KFold(usize),
-    /// Regions of the workspace, each held out in turn: tells how a model extrapolates.
+    /// Regions of the workspace, each held out in turn: tests the extrapolation of a model.
     Region(usize),
 }
 
-/// A split that cannot be made.
+/// A split that is not possible.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum SplitError {
-    /// Text that is no split.
+    /// Text that cannot be read as a split.
     #[error(
         "cannot read the split `{text}`: write column, blocks:K, kfold:K or region:K with K of 2 or more, e.g. blocks:5"
     )]
@@ -45,10 +45,10 @@ pub enum SplitError {
         /// The text.
         text: String,
     },
-    /// No column to split by.
+    /// The data have no column `set`.
     #[error("the data have no column `set` to split by; use blocks:K, kfold:K or region:K, or add the column")]
     NoColumn,
-    /// A set name that is neither.
+    /// A set name other than `train`, `validation` and `test`.
     #[error("sample {sample}: the set `{name}` is neither `train` nor `validation` (or `test`)")]
     SetName {
         /// Number of the sample, from 1.
@@ -59,15 +59,15 @@ pub enum SplitError {
     /// One side is empty.
     #[error("the column `set` names no {missing} samples")]
     EmptySide {
-        /// Which side.
+        /// Name of the empty side.
         missing: &'static str,
     },
     /// More folds than samples.
     #[error("{folds} folds need at least {folds} samples, there are {samples}")]
     TooManyFolds {
-        /// Folds asked for.
+        /// Folds requested.
         folds: usize,
-        /// Samples there are.
+        /// Samples of the data.
         samples: usize,
     },
 }
@@ -103,13 +103,13 @@ impl fmt::Display for Split {
 }
 
 impl Split {
-    /// The split asked for, else by the column `set` where it tells, else five contiguous blocks.
+    /// The given split; by default by the column `set` if it has both sides, otherwise up to five contiguous blocks.
     pub fn or_default(split: Option<Self>, samples: &Samples) -> Self {
         let by_column = || Self::Column.folds(samples, 0).is_ok().then_some(Self::Column);
         split.or_else(by_column).unwrap_or(Self::Blocks(samples.len().clamp(2, 5)))
     }
 
-    /// The split in a sentence's words.
+    /// The split in words, for a sentence.
     pub fn words(self) -> String {
         match self {
             Self::Column => "the rows that the column `set` names".to_owned(),
@@ -119,7 +119,7 @@ impl Split {
         }
     }
 
-    /// The folds of a data set. `seed` matters for [`Split::KFold`] only.
+    /// The folds of a data set. `seed` is used by [`Split::KFold`] only.
     pub fn folds(self, samples: &Samples, seed: u64) -> Result<Vec<Fold>, SplitError> {
         let count = samples.len();
         let parts = match self {
@@ -165,7 +165,7 @@ fn hold_out(word: &str, held: usize, parts: &[Vec<usize>], count: usize) -> Fold
     Fold { name: format!("{word} {} of {}", held + 1, parts.len()), train, validation }
 }
 
-/// Cuts at the median of the widest axis until there are enough regions, all about equally populated.
+/// Cuts at the median of the widest axis until there are enough regions, with about equally many samples.
 fn regions(samples: &Samples, members: Vec<usize>, count: usize, parts: &mut Vec<Vec<usize>>) {
     if count == 1 {
         parts.push(members);
@@ -182,7 +182,7 @@ fn regions(samples: &Samples, members: Vec<usize>, count: usize, parts: &mut Vec
         })
         .unwrap_or(0);
     let mut sorted = members;
-    // ties keep file order, so that equal data give equal regions
+    // equal positions keep file order, so that equal data give equal regions
     sorted.sort_by(|&a, &b| position(a)[axis].total_cmp(&position(b)[axis]).then(a.cmp(&b)));
     let low = count / 2;
     let rest = sorted.split_off(sorted.len() * low / count);

@@ -1,4 +1,4 @@
-//! Logs cut into samples at rest: rows of one pose become one sample, their mean.
+//! Logs reduced to samples at rest: the rows of one pose become one sample, their mean.
 
 use std::fmt;
 
@@ -11,25 +11,25 @@ use super::digits::three_digits;
 use super::holds::{HELD, LONGEST_PAUSE, Log, typical_interval};
 use super::{DataError, Samples, SensorSigmas};
 
-/// A platform that moves is quasi-static within this share of the diagonal: the mean of an arc lies off it by 1e-5 of its
-/// radius.
+/// Fraction of the diagonal within which a moving platform counts as quasi-static: the mean of an arc lies off it by
+/// 1e-5 of its radius.
 const WINDOW_SHARE: f64 = 0.01;
-/// Fewest poses held that make the rest of a log the ways between them.
+/// Least number of held poses for which the other rows of a log count as motion between them.
 const FEWEST_HELD: usize = 2;
 
-/// Outcome of a log cut into samples at rest.
+/// Outcome of the reduction of a log to samples at rest.
 #[derive(Clone, Debug)]
 pub struct StaticSamples {
-    /// One sample for each pose: the means of its rows; line and set of the first row, time their mean.
+    /// One sample per pose: the means of its rows, with line and set of the first row and the mean time.
     pub samples: Samples,
-    /// Whether the poses were held; otherwise the platform moved, and the rows of short ways are averaged.
+    /// True if poses were held; otherwise the platform moved, and each sample is the mean over a short distance.
     pub is_held: bool,
-    /// Rows that are averaged, and rows of the ways between held poses, which are left out.
+    /// Number of averaged rows, and of rows between held poses, which are left out.
     pub rows: (usize, usize),
-    /// Scatter of single rows about the means of their samples, per axis; `None` for a quantity that does not scatter.
+    /// Scatter of single rows about the means of their samples, per axis; `None` for a quantity without scatter.
     pub scatter: SensorSigmas,
-    /// Whether the scatter stands for accuracies, of which none were stated. It is that of a row, not of a mean: what keeps poses from
-    /// being repeatable does not average out while they are held.
+    /// True if the scatter is used as accuracy, since none was stated. It is the scatter of a row, not of a mean:
+    /// errors that prevent poses from being repeated do not average out while a pose is held.
     pub takes_scatter: bool,
 }
 
@@ -60,8 +60,8 @@ impl fmt::Display for StaticSamples {
 }
 
 impl Samples {
-    /// The samples of a log over time: poses held for a second or more, each the mean of its rows; where fewer than two are held,
-    /// the motion cut into pieces within a hundredth of the robot's size.
+    /// The samples of a log over time: poses held for a second or more, each the mean of its rows. If fewer than two
+    /// are held, the motion is cut into pieces within a hundredth of the robot's size.
     pub fn at_rest(&self, robot: &Robot) -> Result<StaticSamples, DataError> {
         let Some(time) = self.time.as_ref().filter(|_| !self.is_empty()) else { return Err(DataError::NoTimes) };
         let diagonal = robot.anchor_diagonal();
@@ -81,7 +81,7 @@ impl Samples {
         Ok(StaticSamples { samples, is_held, rows: (averaged, self.len() - averaged), scatter, takes_scatter })
     }
 
-    /// One sample for each range of rows.
+    /// One sample per range of rows.
     fn averaged(&self, pieces: &[(usize, usize)]) -> Self {
         let m = self.cable_count;
         let mean = |data: &[f64], width: usize| -> Vec<f64> {
@@ -136,16 +136,16 @@ impl Samples {
     }
 }
 
-/// A log to be cut.
+/// A log that is cut into pieces.
 struct Cutter<'a> {
     samples: &'a Samples,
     time: &'a [f64],
-    /// Longer intervals end a piece (s).
+    /// Intervals longer than this end a piece (s).
     pause: f64,
 }
 
 impl Cutter<'_> {
-    /// Ranges of rows that stay within a distance of their first one (m) and last no longer than a time (s).
+    /// Ranges of rows within a distance of their first one (m) and within a duration (s).
     fn pieces(&self, distance: f64, longest: f64) -> Vec<(usize, usize)> {
         let (mut pieces, mut start) = (Vec::new(), 0);
         for row in 1..=self.samples.len() {
@@ -161,7 +161,8 @@ impl Cutter<'_> {
         pieces
     }
 
-    /// Whether lengths and position of two rows are alike; where motor angles stand for lengths, the position.
+    /// True if lengths and position of two rows differ by no more than a distance (m); only the position if motor
+    /// angles were recorded.
     fn is_near(&self, first: usize, second: usize, distance: f64) -> bool {
         let [a, b] = [first, second].map(|row| self.samples.poses[row].position);
         let [q, r] = [first, second].map(|row| self.samples.lengths_of(row));

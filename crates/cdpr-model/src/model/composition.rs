@@ -1,4 +1,4 @@
-//! Which effects a model has.
+//! Effects of a model.
 
 use std::fmt;
 use std::str::FromStr;
@@ -9,32 +9,32 @@ pub use crate::robot::StretchEffect;
 use crate::robot::stretch::registry::law_words;
 use crate::robot::{LAWS, Law};
 
-/// The effects of a model; without any it is the standard model of point outlets and rigid, straight cables.
+/// The effects of a model; without any it is the standard model with point outlets and rigid, straight cables.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Composition {
     /// Cables leave over swivelling pulleys.
     pub pulley: bool,
-    /// Cables are wound on drums with grooves, which motor angles command.
+    /// Cables are wound on drums with grooves, commanded by motor angles.
     pub drum: bool,
-    /// How cables stretch.
+    /// Law of stretch of the cables.
     pub stretch: StretchEffect,
-    /// How cables hang between outlet and platform.
+    /// Shape of the cables between outlet and platform.
     pub span: SpanEffect,
 }
 
-/// How the cables of a model hang between outlet and platform.
+/// Shape of the cables of a model between outlet and platform.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum SpanEffect {
-    /// Straight: cables weigh nothing.
+    /// Straight: cables without weight.
     #[default]
     Straight,
-    /// As elastic catenaries.
+    /// Elastic catenaries.
     Catenary,
-    /// As chains of finite elements, with the weight at their nodes.
+    /// Chains of finite elements, with the weight at their nodes.
     FiniteElement,
 }
 
-/// Laws that the cables of a model obey, by the method that solves them: what a solver dispatches on.
+/// Laws that the cables of a model obey, grouped by the method that solves them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Cables {
     /// Straight and rigid: lengths and directions follow from the pose alone.
@@ -43,12 +43,12 @@ pub enum Cables {
     Linear,
     /// Straight with another law of stretch, solved cable by cable.
     Stretching,
-    /// With weight: directions, too, follow from the tensions.
+    /// With weight: directions depend on the tensions too.
     Sagging,
 }
 
 impl Cables {
-    /// True where the pose alone determines the directions of all pulls, so that the balance is linear in the tensions.
+    /// True if the pose alone determines the directions of all pulls, so that the balance is linear in the tensions.
     pub fn has_fixed_directions(self) -> bool {
         self != Self::Sagging
     }
@@ -65,7 +65,7 @@ impl Composition {
     /// Swivelling pulleys, linearly elastic straight cables.
     pub const PULLEY_ELASTIC: Self = Self { pulley: true, ..Self::ELASTIC };
 
-    /// Every composition there is, simple ones first.
+    /// All compositions, simple ones first.
     pub fn all() -> impl Iterator<Item = Self> {
         use SpanEffect::{Catenary, FiniteElement, Straight};
         let switches = [(false, false), (true, false), (false, true), (true, true)];
@@ -76,12 +76,12 @@ impl Composition {
         })
     }
 
-    /// Number of effects: the first measure of how complex a model is.
+    /// Number of effects, as a measure of a model's complexity.
     pub fn effect_count(self) -> usize {
         self.effects().count()
     }
 
-    /// True when cables stretch.
+    /// True if cables stretch.
     pub fn is_elastic(self) -> bool {
         self.stretch != StretchEffect::Rigid
     }
@@ -96,13 +96,13 @@ impl Composition {
         }
     }
 
-    /// True where a controlled length belongs to a tension: who tells winches lengths has to choose tensions, and limits and initial values
-    /// of tensions have a meaning.
+    /// True if controlled lengths depend on tensions: lengths for winches then need chosen tensions, and limits and
+    /// initial values of tensions apply.
     pub fn needs_tensions(self) -> bool {
         self.cables() != Cables::Rigid
     }
 
-    /// The words of the command line for the effects, in their order along the cable.
+    /// Names of the effects on the command line, in their order along the cable.
     pub fn effects(self) -> impl Iterator<Item = &'static str> {
         let stretch = self.stretch.law().map(|law| law.word);
         let span = match self.span {
@@ -113,7 +113,7 @@ impl Composition {
         [self.pulley.then_some("pulley"), self.drum.then_some("drum"), stretch, span].into_iter().flatten()
     }
 
-    /// This composition with one more effect, or with that effect in place of its alternative.
+    /// This composition with one more effect, which replaces an alternative to it; `None` if the word is no effect.
     pub(super) fn with(mut self, word: &str) -> Option<Self> {
         match word {
             "pulley" => self.pulley = true,
@@ -145,16 +145,16 @@ impl fmt::Display for Composition {
     }
 }
 
-/// A composition that cannot be understood.
+/// A text that is no composition.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum CompositionError {
-    /// Not an effect.
+    /// An unknown effect.
     #[error("`{found}` is not a model effect; known are {}, joined by `+`", known_effects())]
     Unknown {
         /// The word found.
         found: String,
     },
-    /// `standard` joined with effects, an effect twice, or two that exclude each other.
+    /// `standard` joined with effects, a repeated effect, or two that exclude each other.
     #[error(
         "`{found}` does not fit the rest of the composition: `standard` stands alone, an effect stands once, and of {}, as of \
          `catenary` and `finite-element`, one at most",
@@ -166,7 +166,7 @@ pub enum CompositionError {
     },
 }
 
-/// Every word of a composition.
+/// List of all words of a composition, for messages.
 fn known_effects() -> String {
     let laws = LAWS.iter().map(|law| format!("`{}`, ", law.word)).collect::<String>();
     format!("`standard`, `pulley`, `drum`, {laws}`catenary` and `finite-element`")
@@ -183,7 +183,7 @@ impl FromStr for Composition {
                 break;
             }
             match composition.with(word) {
-                // every effect that fits adds one
+                // every effect that fits increases the number of effects
                 Some(more) if more.effect_count() > composition.effect_count() => composition = more,
                 None if word != "standard" => return Err(CompositionError::Unknown { found: word.to_owned() }),
                 _ => return Err(CompositionError::Misplaced { found: word.to_owned() }),
@@ -205,7 +205,7 @@ mod tests {
         for composition in all {
             assert_eq!(composition.to_string().parse(), Ok(composition));
         }
-        // the order in which effects are named means nothing
+        // the order in which effects are named does not matter
         assert_eq!("elastic + pulley".parse(), Ok(Composition::PULLEY_ELASTIC));
     }
 

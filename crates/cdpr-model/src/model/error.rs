@@ -1,11 +1,11 @@
-//! Why a robot cannot carry the effects of a model.
+//! Reasons that a robot has no model with the requested effects.
 
 use thiserror::Error;
 
 use crate::cable::winch::DrumError;
 use crate::robot::{Cable, StretchError};
 
-/// A robot that cannot carry the effects asked for.
+/// A robot that has no model with the requested effects.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ModelError {
     /// An effect needs a key that the file lacks.
@@ -21,20 +21,20 @@ pub enum ModelError {
         cable: usize,
         /// Name of the cable.
         name: String,
-        /// A command that helps.
+        /// Advice on how to add the key.
         hint: &'static str,
     },
-    /// A law of stretch that is none.
+    /// Invalid numbers of a law of stretch.
     #[error("cable {cable} (\"{name}\"): {reason}")]
     Stretch {
         /// Number of the cable, from 1.
         cable: usize,
         /// Name of the cable.
         name: String,
-        /// Reason why the stretch of the cable is no law.
+        /// Reason that the numbers make no law.
         reason: StretchError,
     },
-    /// Cables with weight where no gravity is known.
+    /// Cables with weight, but an unknown gravity.
     #[error(
         "cables of \"{robot}\" sag by their weight, but its file lacks `gravity_m_s2`; add it, e.g. gravity_m_s2 = [0.0, 0.0, -9.81]"
     )]
@@ -42,17 +42,17 @@ pub enum ModelError {
         /// Name of the robot.
         robot: String,
     },
-    /// Numbers of a drum that do not go together.
+    /// Numbers of a drum that contradict each other or are out of range.
     #[error("cable {cable} (\"{name}\"): {reason}")]
     Drum {
         /// Number of the cable, from 1.
         cable: usize,
         /// Name of the cable.
         name: String,
-        /// Reason why the drum has no law.
+        /// Reason that the numbers make no drum.
         reason: DrumError,
     },
-    /// A pulley that does not swivel, on a robot that leaves its plane.
+    /// A pulley that does not swivel, on a robot with spatial motion.
     #[error(
         "cable {cable} (\"{name}\") has `pulley_wrap_side`, but the robot is spatial: its platform would leave the plane of a pulley \
          that does not swivel; leave the key out"
@@ -76,7 +76,7 @@ pub enum ModelError {
 pub(super) struct Need {
     pub(super) effect: &'static str,
     pub(super) key: &'static str,
-    /// Further words about the key where it is missing.
+    /// Further words about the key in the error.
     pub(super) hint: &'static str,
 }
 

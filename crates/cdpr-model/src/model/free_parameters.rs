@@ -1,4 +1,4 @@
-//! The `--free` language: which parameters identification may change.
+//! The `--free` language: the parameters that identification may change.
 
 use std::fmt;
 use std::str::FromStr;
@@ -18,7 +18,7 @@ pub struct FreeParameters {
     recording: Vec<RecordingParameter>,
 }
 
-/// Quantity of a recording and not of its robot.
+/// Parameter of a recording, not of its robot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum RecordingParameter {
     /// Offset of the clocks of winches and tracker (s).
@@ -30,9 +30,9 @@ pub enum RecordingParameter {
 }
 
 impl RecordingParameter {
-    /// All of them.
+    /// All parameters of a recording.
     pub const ALL: [Self; 3] = [Self::ClockOffset, Self::TrackerFrame, Self::MarkerFrame];
-    /// Those that turn measured poses into poses of the platform.
+    /// Parameters that turn measured poses into poses of the platform.
     pub const FRAMES: [Self; 2] = [Self::TrackerFrame, Self::MarkerFrame];
 
     /// Name in lists of parameters.
@@ -45,16 +45,16 @@ impl RecordingParameter {
     }
 }
 
-/// A list of parameters that cannot be understood or does not fit the model.
+/// A list of parameters that cannot be read or does not fit the model.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ParameterError {
-    /// Not a parameter.
+    /// An unknown name.
     #[error("`{name}` is not a parameter; known are {}{}", known_names().collect::<Vec<_>>().join(", "), suggestion(.name))]
     UnknownName {
         /// The word found.
         name: String,
     },
-    /// Text around the brackets that makes no sense.
+    /// Text around the brackets that cannot be read.
     #[error("cannot read `{item}`: write NAME or NAME[1,3], separated by commas, cables counted from 1")]
     Syntax {
         /// The item.
@@ -65,7 +65,7 @@ pub enum ParameterError {
     NoSuchCable {
         /// Name of the parameter.
         kind: ParameterKind,
-        /// The number asked for, from 1.
+        /// The number given, from 1.
         cable: usize,
         /// Number of cables.
         cable_count: usize,
@@ -77,10 +77,10 @@ pub enum ParameterError {
         kind: ParameterKind,
         /// The model's composition.
         model: String,
-        /// The effect it belongs to.
+        /// The effect to which it belongs.
         effect: &'static str,
     },
-    /// Two parameters that shift the recorded lengths of a cable alike.
+    /// Two parameters with the same effect on the recorded lengths of a cable.
     #[error(
         "`start-length[{cable}]` and `length-offset[{cable}]` are both free, but they shift the recorded lengths of cable {cable} alike, \
          so that no data tell them apart: free one of them"
@@ -99,7 +99,7 @@ pub enum ParameterError {
         /// Number of the cable, from 1.
         cable: usize,
     },
-    /// The axis of a drum whose guide makes it mean nothing.
+    /// The axis of a guided drum, which has no effect on lengths.
     #[error(
         "`drum-axis[{cable}]` is free, but the guide of cable {cable} travels with the contact point (`drum_guided`), so that no length tells \
          where the drum's axis points: restrict the list to other cables, or leave `drum-axis` out"
@@ -108,18 +108,18 @@ pub enum ParameterError {
         /// Number of the cable, from 1.
         cable: usize,
     },
-    /// The wrench belongs to no cable.
+    /// The wrench with cables in brackets.
     #[error("`wrench` belongs to the platform, not to single cables: write it without brackets")]
     WrenchOfCable,
 }
 
-/// The kind of this name that identification may free.
+/// The kind with this name, if identification may free it; otherwise an error.
 pub fn identified_kind(name: &str) -> Result<ParameterKind, ParameterError> {
     let kind = ParameterKind::IDENTIFIED.into_iter().find(|kind| kind.name() == name);
     kind.ok_or_else(|| ParameterError::UnknownName { name: name.to_owned() })
 }
 
-/// Name of the effect without which a composition has no parameter of this kind; `None` where it has one.
+/// Name of the effect that a composition lacks for parameters of this kind; `None` if it lacks none.
 pub fn missing_effect(kind: ParameterKind, composition: Composition) -> Option<&'static str> {
     match kind {
         ParameterKind::PulleyRadius | ParameterKind::SwivelAxis if !composition.pulley => Some("pulley"),
@@ -147,45 +147,45 @@ fn suggestion(name: &str) -> String {
 }
 
 impl FreeParameters {
-    /// These kinds for every cable.
+    /// A selection of these kinds for every cable.
     pub fn of(kinds: &[ParameterKind]) -> Self {
         Self { selections: kinds.iter().map(|&kind| (kind, None)).collect(), recording: Vec::new() }
     }
 
-    /// True when nothing is free.
+    /// True if nothing is free.
     pub fn is_empty(&self) -> bool {
         self.selections.is_empty() && self.recording.is_empty()
     }
 
-    /// True when nothing of the robot is free.
+    /// True if no parameter of the robot is free.
     pub fn leaves_robot(&self) -> bool {
         self.selections.is_empty()
     }
 
-    /// True when this of the recording is free.
+    /// True if this parameter of the recording is free.
     pub fn names_recording(&self, parameter: RecordingParameter) -> bool {
         self.recording.contains(&parameter)
     }
 
-    /// The same without these of the recording.
+    /// The selection without these parameters of the recording.
     pub fn without_recording(&self, parameters: &[RecordingParameter]) -> Self {
         let recording = self.recording.iter().copied().filter(|free| !parameters.contains(free)).collect();
         Self { recording, ..self.clone() }
     }
 
-    /// The same with these of the recording.
+    /// The selection with these parameters of the recording.
     pub fn with_recording(&self, parameters: &[RecordingParameter]) -> Self {
         let is_free = |free: &RecordingParameter| self.recording.contains(free) || parameters.contains(free);
         Self { recording: RecordingParameter::ALL.into_iter().filter(is_free).collect(), ..self.clone() }
     }
 
-    /// True where this kind of a cable (0-based) is named.
+    /// True if this kind is free for a cable (0-based).
     pub fn contains(&self, kind: ParameterKind, cable: usize) -> bool {
         let covers = |cables: &Option<Vec<usize>>| cables.as_ref().is_none_or(|list| list.contains(&cable));
         self.selections.iter().any(|(other, cables)| *other == kind && covers(cables))
     }
 
-    /// Start length and length offset are never both free.
+    /// Checks that start length and length offset of a cable are not both free.
     fn check_start_lengths(parameters: &[Parameter]) -> Result<(), ParameterError> {
         let is_free =
             |cable, kind| parameters.iter().any(|parameter| parameter.cable == cable && parameter.kind == kind);
@@ -201,7 +201,8 @@ impl FreeParameters {
         self.parameters_with(model, hold, model.needs_tensions())
     }
 
-    /// The same where recorded tensions are explained, which those of rigid cables are by their equilibrium.
+    /// The same, with parameters of tensions if recorded tensions are explained; those of rigid cables may be, by their
+    /// equilibrium.
     pub fn parameters_with(
         &self,
         model: &Model,
@@ -226,7 +227,7 @@ impl FreeParameters {
         Ok(parameters)
     }
 
-    /// True when this kind is free for some cable.
+    /// True if this kind is free for some cable.
     pub fn names(&self, kind: ParameterKind) -> bool {
         self.selections.iter().any(|(other, _)| *other == kind)
     }
@@ -300,7 +301,7 @@ impl Serialize for FreeParameters {
 impl FromStr for FreeParameters {
     type Err = ParameterError;
 
-    /// Reads `frame-anchor[1,3],length-offset`; empty text frees nothing.
+    /// Reads a text like `frame-anchor[1,3],length-offset`; empty text frees nothing.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let (mut selections, mut recording) = (Vec::new(), Vec::new());
         let mut rest = text.trim();

@@ -1,4 +1,4 @@
-//! The model type and what it answers at one pose.
+//! The model type and its functions at one pose.
 
 use nalgebra::Vector3;
 
@@ -28,7 +28,7 @@ pub struct Model {
     groups: Vec<CableGroup>,
     elasticity: Vec<Elasticity<f64>>,
     laws: Vec<CableLaw>,
-    /// See [`Model::winch`].
+    /// Winch per cable, see [`Model::winch`].
     pub(super) winches: Vec<Option<Winch>>,
 }
 
@@ -70,7 +70,7 @@ impl Model {
         Ok(Self { robot, composition, twist_basis, axes, groups, elasticity, laws, winches })
     }
 
-    /// The model whose cables come from these memories, one per cable; without effect where their laws have none.
+    /// The model with cables in these memories, one per cable; no effect for laws without memory.
     pub fn with_memories(&self, memories: &[Memory]) -> Self {
         let mut model = self.clone();
         for (law, memory) in model.laws.iter_mut().zip(memories) {
@@ -94,13 +94,13 @@ impl Model {
         self.composition.cables()
     }
 
-    /// True where a controlled length belongs to a tension, see `Composition::needs_tensions`.
+    /// True if controlled lengths depend on tensions, see `Composition::needs_tensions`.
     pub fn needs_tensions(&self) -> bool {
         self.composition.needs_tensions()
     }
 
-    /// Frame and platform anchors of cables that run straight from one to the other (world, m; platform, m); `None` for pulleys and for
-    /// cables with weight.
+    /// Frame and platform anchors of straight cables (world, m; platform, m); `None` with pulleys or with cables that
+    /// have weight.
     pub fn straight_lines(&self) -> Option<impl Iterator<Item = (&Vector3<f64>, &Vector3<f64>)>> {
         let is_straight = !self.composition.pulley && self.cables().has_fixed_directions();
         is_straight.then(|| self.robot.cables.iter().map(|cable| (&cable.frame_anchor, &cable.platform_anchor)))
@@ -121,7 +121,7 @@ impl Model {
         &self.twist_basis
     }
 
-    /// World directions in which an anchor of this pattern can lie: e₁, e₂ of a planar robot, else x, y, z.
+    /// World directions of the coordinates of an anchor in this pattern: e₁, e₂ of a planar robot, otherwise x, y, z.
     pub fn axes(&self) -> &[Vector3<f64>] {
         &self.axes
     }
@@ -136,9 +136,9 @@ impl Model {
         &self.laws[cable]
     }
 
-    /// One cable (0-based) at rest at a pose, with one more quantity given.
+    /// State of one cable (0-based) at rest at a pose, with one more quantity given.
     ///
-    /// Asks nothing of the path of its straight cable beyond a length ([`Model::path`] does).
+    /// Does not check that its straight cable has a path ([`Model::path`] does).
     pub fn cable_state(&self, cable: usize, pose: &Pose, input: CableInput) -> Result<CableState, CableStateError> {
         self.laws[cable].state(self.cable_end(cable, pose.position.into(), &pose.rotation_rows()), input)
     }
@@ -149,7 +149,7 @@ impl Model {
         CableEnd::at(position, rotation, self.robot.cables[cable].platform_anchor.into())
     }
 
-    /// A tension as robots measure it, at the outlet, or where the file says.
+    /// A tension as the robot measures it: at the outlet, unless the file states the platform anchor.
     pub fn measured_tension(&self, cable: usize, tension: f64) -> CableInput {
         match self.robot.cables[cable].tension_at {
             Some(TensionPlace::Platform) => CableInput::PlatformTension(tension),
@@ -162,21 +162,22 @@ impl Model {
         &self.groups
     }
 
-    /// CablePath and moment arm b = R b_P of one cable (0-based) at a pose, or why it has none.
+    /// Path and moment arm b = R b_P of one cable (0-based) at a pose; an error if it has no path.
     pub fn path(&self, cable: usize, pose: &Pose) -> Result<(CablePath<f64>, Vector3<f64>), GeometryError> {
         let (path, end) = self.checked_path(cable, pose.position.into(), &pose.rotation_rows())?;
         Ok((path, end.moment_arm.into()))
     }
 
-    /// Contact point of one straight cable (0-based) with its pulley at a pose, how free length, arc and contact point follow the
-    /// platform (eq. 2.83–2.87), and the cable's end; or why there is no path. A model without pulleys has the frame anchor as contact point.
+    /// Contact point of one straight cable (0-based) with its pulley at a pose, with the derivatives of free length,
+    /// arc and contact point by the platform's motion (eq. 2.83–2.87), and the cable's end; an error if it has no path.
+    /// Without pulleys the contact point is the frame anchor.
     pub fn contact(&self, cable: usize, pose: &Pose) -> Result<(Contact<f64>, CableEnd<f64>), GeometryError> {
         let (path, end) = self.checked_path(cable, pose.position.into(), &pose.rotation_rows())?;
         Ok((self.laws[cable].outlet.contact(end.anchor, &path), end))
     }
 
-    /// [`Model::path`] and end for a pose given by position and rotation rows, when many cables share it. Compiled into its callers: who
-    /// asks for a length alone pays for no derivative.
+    /// [`Model::path`] and end for a pose given by position and rotation rows, which many cables share. Inlined, so
+    /// that callers that use only the length do not compute derivatives.
     #[inline(always)]
     pub fn checked_path(
         &self,
@@ -191,13 +192,13 @@ impl Model {
         }
     }
 
-    /// [`Model::path`] without the question whether it exists: numbers that are not finite where it does not.
+    /// [`Model::path`] without a check: its numbers are not finite if there is no path.
     pub fn path_or_nan(&self, cable: usize, pose: &Pose) -> (CablePath<f64>, Vector3<f64>) {
         let (path, end) = self.path_at(cable, pose.position.into(), &pose.rotation_rows());
         (path, end.moment_arm.into())
     }
 
-    /// [`Model::path_or_nan`] and end for a pose given by position and rotation rows, when many cables share it.
+    /// [`Model::path_or_nan`] and end for a pose given by position and rotation rows, which many cables share.
     #[inline(always)]
     pub fn path_at(
         &self,
@@ -209,11 +210,11 @@ impl Model {
         (self.laws[cable].outlet.path(end.anchor), end)
     }
 
-    /// Swivel angle of one cable's pulley at a pose, right-handed about its swivel axis from a reference direction (world), in
-    /// (−π, π] (rad): what an encoder at the swivel measures.
+    /// Swivel angle of one cable's pulley at a pose, right-handed about its swivel axis from a reference direction
+    /// (world), in (−π, π] (rad): the reading of an encoder at the swivel.
     ///
-    /// `None` in a model without pulleys, for one that does not swivel, and where the angle is not determined: the platform anchor or the reference lies on
-    /// the swivel axis.
+    /// `None` in a model without pulleys, for a pulley that does not swivel, and if the angle is not determined because
+    /// the platform anchor or the reference lies on the swivel axis.
     pub fn swivel_angle(&self, cable: usize, pose: &Pose, reference: &Vector3<f64>) -> Option<f64> {
         let Outlet::Swivel { frame_anchor, swivel_axis, .. } = self.laws[cable].outlet else { return None };
         let anchor = pose.transform(&self.robot.cables[cable].platform_anchor);
@@ -231,7 +232,7 @@ impl Model {
         Ok(wrench(end.moment_arm, path.direction).into())
     }
 
-    /// \[u; b × u\] of one cable (0-based; world).
+    /// Column \[u; b × u\] of one cable (0-based; world).
     pub(super) fn structure_column(&self, cable: usize, pose: &Pose) -> Result<Twist, GeometryError> {
         let (path, moment_arm) = self.path(cable, pose)?;
         Ok(wrench(moment_arm.into(), path.direction).into())
@@ -242,24 +243,24 @@ impl Model {
         self.laws[cable].recording.length(length)
     }
 
-    /// Controlled length q_θ behind a recorded one: the inverse of [`Model::recorded_length`] (m).
+    /// Controlled length q_θ for a recorded one: the inverse of [`Model::recorded_length`] (m).
     pub fn controlled_length(&self, cable: usize, recorded: f64) -> f64 {
         self.laws[cable].recording.controlled_length(recorded)
     }
 
-    /// Tension that the robot records for a real one: tension_scale · f + tension_offset (N).
+    /// Tension that the robot records for a true one: tension_scale · f + tension_offset (N).
     pub fn recorded_tension(&self, cable: usize, tension: f64) -> f64 {
         self.laws[cable].recording.tension(tension)
     }
 
-    /// Real tension behind a recorded one: the inverse of `Model::recorded_tension` (N).
+    /// True tension for a recorded one: the inverse of `Model::recorded_tension` (N).
     pub fn real_tension(&self, cable: usize, recorded: f64) -> f64 {
         self.laws[cable].recording.real_tension(recorded)
     }
 
-    /// Mean distance of the platform anchors from the platform origin (m): what makes an angle a length.
+    /// Mean distance of the platform anchors from the platform origin (m), which converts angles to lengths.
     ///
-    /// 1 for a platform without extent.
+    /// 1 m for a platform without extent.
     pub fn platform_radius(&self) -> f64 {
         let sum: f64 = self.robot.cables.iter().map(|cable| cable.platform_anchor.norm()).sum();
         let mean = sum / self.cable_count() as f64;
@@ -267,7 +268,7 @@ impl Model {
     }
 }
 
-/// Pulleys that do not swivel belong to planar robots, and to all cables of one or to none.
+/// Checks that pulleys that do not swivel belong to a planar robot, and to all of its cables or to none.
 fn check_wrap_sides(robot: &Robot) -> Result<(), ModelError> {
     let with_side = |cable: &Cable| cable.pulley_wrap_side.is_some();
     let Some(first) = robot.cables.iter().position(with_side) else { return Ok(()) };
@@ -289,7 +290,7 @@ fn elasticity_of(robot: &Robot, entry: &Law) -> Result<Vec<Elasticity<f64>>, Mod
     robot.cables.iter().enumerate().map(law).collect()
 }
 
-/// Packs up to eight cables; the last one fills the rest with weight 0.
+/// Packs up to eight cables; copies of the last one with weight 0 pad the group.
 fn group(cables: &[Cable], laws: &[CableLaw], linear: &[Elasticity<f64>]) -> CableGroup {
     let at = |lane: usize| lane.min(cables.len() - 1);
     let outlets: Vec<Outlet<f64>> = laws.iter().map(|law| law.outlet).collect();

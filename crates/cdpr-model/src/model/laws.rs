@@ -12,10 +12,10 @@ use crate::cable::span::Shape;
 use crate::cable::stretch::Stretch;
 use crate::robot::{Cable, Pulley, Robot, StiffnessBasis};
 
-/// Elements of a cable whose file does not say how many.
+/// Number of elements of a cable if its file does not state it.
 pub(crate) const FINITE_ELEMENTS: usize = 10;
 
-/// The law of every cable; `elasticity` has those of the composition's linear stretch.
+/// The law of every cable; `elasticity` has the linear laws of the composition.
 pub(super) fn laws(
     robot: &Robot,
     composition: Composition,
@@ -60,12 +60,12 @@ pub(super) fn laws(
     robot.cables.iter().zip(elasticity).enumerate().map(law).collect()
 }
 
-/// Basis of a cable's stiffness; `None` for a constant spring.
+/// Reference length of a cable's stiffness; `None` for a constant spring.
 fn stiffness_basis(cable: &Cable) -> Option<StiffnessBasis> {
     cable.spring_constant().is_none().then(|| cable.stiffness_by.unwrap_or(StiffnessBasis::Actual))
 }
 
-/// Calibration of what a robot records of a cable.
+/// Calibration of a cable's recorded length and tension.
 fn recording(cable: &Cable) -> Recording {
     Recording {
         length_scale: cable.length_scale.unwrap_or(1.0),
@@ -75,7 +75,7 @@ fn recording(cable: &Cable) -> Recording {
     }
 }
 
-/// Outlet of a cable: a point, or a pulley where the composition has them.
+/// Outlet of a cable: a point, or a pulley if the composition has pulleys.
 fn outlet(robot: &Robot, composition: Composition, cable: &Cable) -> Outlet<f64> {
     let frame_anchor = cable.frame_anchor.into();
     match (composition.pulley, cable.pulley) {
@@ -87,7 +87,7 @@ fn outlet(robot: &Robot, composition: Composition, cable: &Cable) -> Outlet<f64>
     }
 }
 
-/// How a cable stretches by its unstrained length.
+/// Law of stretch of a cable, by its unstrained length.
 fn stretch(composition: Composition, index: usize, cable: &Cable) -> Result<Stretch, ModelError> {
     let Some(law) = composition.stretch.law() else { return Ok(Stretch::Rigid) };
     let refused = |reason| ModelError::Stretch { cable: index + 1, name: cable.name.clone(), reason };

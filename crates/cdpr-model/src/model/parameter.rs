@@ -1,4 +1,4 @@
-//! Derivatives of a model by its robot's parameters, and which effects tell a parameter.
+//! Derivatives of a model by its robot's parameters, and the effects that make a parameter identifiable.
 
 use nalgebra::Matrix3;
 
@@ -10,24 +10,25 @@ use crate::robot::{Parameter, ParameterKind};
 use crate::scalar::cross;
 
 impl ParameterKind {
-    /// True for what only a model with elastic cables and recorded tensions can tell.
+    /// True for parameters that only a model with elastic cables and recorded tensions can identify.
     pub(crate) fn needs_elasticity(self) -> bool {
         let is_of_law = matches!(self, Self::Compliance | Self::HiddenLength | Self::Stretch(_));
         is_of_law || matches!(self, Self::TensionScale | Self::TensionOffset | Self::Wrench)
     }
 
-    /// True for what an ideal winch has, which models without drums have too.
+    /// True for parameters of an ideal winch, which models without drums have too.
     pub fn is_of_ideal_winch(self) -> bool {
         matches!(self, Self::DrumRadius | Self::SpoolBuildUp | Self::StartLength)
     }
 
-    /// True for what only recorded motor angles can tell.
+    /// True for parameters that only recorded motor angles can identify.
     pub fn needs_motor_angles(self) -> bool {
         matches!(self, Self::DrumPitch | Self::DrumAxis | Self::StartAngle) || self.is_of_ideal_winch()
     }
 }
 
-/// The parameter of the cable's law behind a robot's; `None` for what is none of the law: anchors, calibration, drums, the platform.
+/// The parameter of the cable's law for a parameter of the robot; `None` for anchors, calibration, drums and the
+/// platform.
 fn law_parameter(parameter: &Parameter, model: &Model) -> Option<LawParameter> {
     let robot = model.robot();
     match parameter.kind {
@@ -46,7 +47,7 @@ fn law_parameter(parameter: &Parameter, model: &Model) -> Option<LawParameter> {
 }
 
 impl Model {
-    /// The model at other values of some parameters; `None` if they make no robot.
+    /// The model with other values of some parameters; `None` if they are invalid.
     pub fn with_parameters(&self, parameters: &[Parameter], values: &[f64]) -> Option<Self> {
         let mut robot = self.robot().clone();
         for (parameter, &value) in parameters.iter().zip(values) {
@@ -56,8 +57,8 @@ impl Model {
         Self::new(robot, self.composition()).ok()
     }
 
-    /// Change of the wrench (world) and of the recorded length of a cable (0-based) in a state by one of its parameters, at fixed tension where
-    /// it is given.
+    /// Change of the wrench (world) and of the recorded length of a cable (0-based) in a state by one of its
+    /// parameters, at fixed tension if the tension is given.
     #[inline]
     pub fn by_parameter(
         &self,
@@ -77,7 +78,7 @@ impl Model {
         }
         match parameter.kind {
             ParameterKind::FrameAnchor => {
-                // moving the frame anchor is moving the platform anchor the other way
+                // moving the frame anchor equals moving the platform anchor the other way
                 let (pull, length) = state.by_anchor((-self.axes()[parameter.axis]).into());
                 (state.wrench_of(pull), length)
             }
@@ -93,7 +94,7 @@ impl Model {
                 state.by_given_tension(-state.given_tension() / state.recording.tension_scale)
             }
             ParameterKind::TensionOffset => state.by_given_tension(-1.0 / state.recording.tension_scale),
-            // drums change what is recorded, not what is expected; the platform's numbers are the load's
+            // drums change the recorded length, not the predicted one; the platform's numbers belong to the load
             _ => (none, 0.0),
         }
     }

@@ -7,18 +7,18 @@ use crate::cable::outlet::pulley::{self, PlacementError};
 use crate::geometry::Pose;
 use crate::robot::{Pulley, Robot};
 
-/// Why pulleys cannot be placed.
+/// Reason that pulleys cannot be placed.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum PlacePulleysError {
-    /// One cable's pulley has no unique place.
+    /// The pulley of a cable has no unique position.
     #[error("cable {cable}: {reason}; choose another pose or swivel axis")]
     Cable {
         /// Number of the cable, from 1.
         cable: usize,
-        /// Reason why the pulley has no unique place.
+        /// Reason that the position is not unique.
         reason: PlacementError,
     },
-    /// A radius or axis that no pulley has.
+    /// A negative or infinite radius, or an axis that is no unit vector.
     #[error(
         "cable {cable}: a pulley needs a radius of 0 or more and an axis of length 1, found radius {radius} m and axis length {axis_length}"
     )]
@@ -32,10 +32,12 @@ pub enum PlacePulleysError {
     },
 }
 
-/// The robot with a pulley at every cable, each placed so that the contact point at `pose` is the published frame anchor.
+/// The robot with a pulley at every cable, each placed so that the contact point at `pose` is the published frame
+/// anchor.
 ///
-/// `pulleys` gives radius (m) and unit swivel axis (world) per cable. Lengths, directions and structure matrix at `pose`
-/// then agree with the point model but for the wrapped length (sec. 3.8). A pulley with `pulley_wrap_side` stays on its side.
+/// `pulleys` gives radius (m) and unit swivel axis (world) per cable. Lengths, directions and structure matrix at
+/// `pose` then agree with the point model, except for the wrapped length (sec. 3.8). A pulley with `pulley_wrap_side`
+/// stays on its side.
 pub fn place_pulleys(robot: &Robot, pulleys: &[(f64, Vector3<f64>)], pose: &Pose) -> Result<Robot, PlacePulleysError> {
     let mut placed = robot.clone();
     for (index, (cable, &(radius, axis))) in placed.cables.iter_mut().zip(pulleys).enumerate() {

@@ -1,6 +1,7 @@
-//! Lengths and structure matrix at one pose, a cable per lane, into memory of the caller.
+//! Lengths and structure matrix at one pose, a cable per lane, written to memory of the caller.
 //!
-//! The bits are those of [`Model::path`] cable by cable, which is asked where a cable may have no path: it says why.
+//! The bits are those of [`Model::path`] cable by cable. If a cable may have no path, that function is called for the
+//! error.
 
 use cdpr_core::structure::{Lengths, StructureColumns};
 use nalgebra::DMatrix;
@@ -18,7 +19,7 @@ impl Model {
         Ok(lengths)
     }
 
-    /// [`Model::cable_lengths`] into memory of the caller, of which the first m numbers are written; panics when it has fewer. Claims none.
+    /// Writes [`Model::cable_lengths`] to the first m numbers of `lengths`; panics if it has fewer. Claims no memory.
     pub fn write_cable_lengths(&self, pose: &Pose, lengths: &mut [f64]) -> Result<(), GeometryError> {
         let lengths = &mut lengths[..self.cable_count()];
         let (position, rotation) = (pose.position.into(), pose.rotation_rows());
@@ -40,7 +41,7 @@ impl Model {
         Ok(matrix)
     }
 
-    /// [`Model::structure_matrix`] into memory of the caller; claims none where the matrix is n × m already.
+    /// Writes [`Model::structure_matrix`] to `matrix`; claims no memory if that is n × m already.
     pub fn write_structure_matrix(&self, pose: &Pose, matrix: &mut DMatrix<f64>) -> Result<(), GeometryError> {
         let size = (self.dof(), self.cable_count());
         if matrix.shape() != size {
@@ -72,7 +73,7 @@ mod tests {
     use crate::robot::{Robot, builtin};
     use crate::scalar::{Unit, dispatch_on};
 
-    /// Every built-in robot over points, and over pulleys where its anchors have room for them.
+    /// Every built-in robot with point outlets, and with pulleys if its anchors have room for them.
     fn models() -> Vec<Model> {
         let all = builtin::names().flat_map(|name| {
             let robot = Robot::builtin(name).unwrap();

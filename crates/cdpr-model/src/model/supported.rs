@@ -1,34 +1,35 @@
-//! Which effects a robot's file has the keys for.
+//! Effects for which a robot's file has the keys.
 
 use super::{Composition, Model, ModelError};
 use crate::robot::{LAWS, Robot};
 
-/// The effects that a robot's file supports, and why it does not support the others.
+/// The effects that a robot's file supports, and the reasons that it does not support the others.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Supported {
-    /// As many effects as the file supports at once; of those that exclude each other the one nearest to a real cable.
+    /// All effects that the file supports together; of those that exclude each other, the one nearest to a real cable.
     pub richest: Composition,
-    /// Effects that the file supports too, each with the effect of the richest composition that stands in its place.
+    /// Further effects that the file supports, each with the effect of `richest` that it would replace.
     pub alternatives: Vec<(&'static str, &'static str)>,
-    /// Effects that the file does not support, with what is missing.
+    /// Effects that the file does not support, with the missing key.
     pub missing: Vec<(&'static str, ModelError)>,
 }
 
 impl Supported {
-    /// The composition with an alternative in place of the effect that excludes it.
+    /// The richest composition with an alternative in place of the effect that excludes it.
     pub fn with_alternative(&self, alternative: &str) -> Composition {
         self.richest.with(alternative).unwrap_or(self.richest)
     }
 }
 
 impl Composition {
-    /// Words of all effects in order along the cable, those together of which a model has one at most, the one nearest to a real cable first.
+    /// Names of all effects in order along the cable, in groups of which a model has at most one, the one nearest to a
+    /// real cable first.
     fn alternatives() -> [Vec<&'static str>; 4] {
         let laws = LAWS.iter().rev().map(|law| law.word).collect();
         [vec!["pulley"], vec!["drum"], laws, vec!["catenary", "finite-element"]]
     }
 
-    /// The effects that a robot's file supports; an error only for a robot that no composition fits.
+    /// The effects that a robot's file supports; an error only if it does not even support the standard model.
     pub fn supported(robot: &Robot) -> Result<Supported, ModelError> {
         Model::new(robot.clone(), Self::STANDARD)?;
         let mut supported = Supported { richest: Self::STANDARD, alternatives: Vec::new(), missing: Vec::new() };
@@ -55,7 +56,7 @@ mod tests {
     use super::*;
     use crate::model::SpanEffect;
 
-    /// The built-in example has pulleys of a radius but without a swivel axis, and linear cables.
+    /// The built-in example has pulleys with a radius but without a swivel axis, and linear cables.
     #[test]
     fn what_a_file_lacks_is_named_by_its_key() {
         let mut robot = Robot::builtin("planar-example").unwrap();

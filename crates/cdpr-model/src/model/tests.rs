@@ -62,7 +62,7 @@ fn tilted_pose() -> Pose {
     Pose::from_xyz_angles(Vector3::new(0.1, -0.2, 0.4), [0.2, -0.3, 0.4])
 }
 
-/// CablePath of the cable in dual numbers: pose displaced by [δr; δφ] to first order, which is all a dual number sees.
+/// Path of the cable in dual numbers: pose displaced by [δr; δφ] to first order, which is exact for dual numbers.
 fn dual_path(robot: &Robot, pose: &Pose, with_pulley: bool) -> CablePath<Dual> {
     let cable = &robot.cables[0];
     let numbers = |v: Vector3<f64>, first: usize| [0, 1, 2].map(|k| variable(v[k], first + k));
@@ -94,7 +94,7 @@ fn check_derivatives(robot: &Robot, pose: &Pose, with_pulley: bool) {
     let dual = dual_path(robot, pose, with_pulley);
     let (by_pose, directions_by_pose) = path.by_pose(moment_arm.into());
     let (by_anchor, directions_by_anchor) = path.by_platform_anchor(&pose.rotation_rows());
-    // next to the axis and to the rim directions change fast, and rounding grows with their gradient (1/m)
+    // near the axis and the rim directions change fast, and rounding grows with their gradient (1/m)
     let tolerance = 1e-12 * path.direction_gradient.iter().flatten().fold(1.0, |max: f64, x| max.max(x.abs()));
     let analytic = |pose: [f64; 6], frame: [f64; 3], platform: [f64; 3], radius: f64| {
         let mut all = pose.to_vec();
@@ -120,7 +120,7 @@ fn derivatives_of_both_outlets_agree_with_dual_numbers() {
         check_derivatives(&robot_of(vec![cable.clone()]), &pose, false);
         check_derivatives(&robot_of(vec![cable.clone()]), &pose, true);
     }
-    // nearer to the axis than the radius, below and above: where eq. 2.19 and principal values go wrong
+    // nearer to the axis than the radius, below and above: there eq. 2.19 and principal values fail
     cable.set_pulley_swivel_axis(Vector3::z());
     for z in [-1.0, 1.0] {
         let near_axis = Pose { position: Vector3::new(-2.0 + 0.05 - 0.3, 1.5 + 0.2, 3.0 + z), ..Pose::identity() };
@@ -128,8 +128,8 @@ fn derivatives_of_both_outlets_agree_with_dual_numbers() {
     }
 }
 
-/// The second derivatives of the length by anchor and radius: ∂²q/∂r_p∂p_B = −∂u/∂r_p and ∂²q/∂r_p² = (1 − cos β)²/q_f, so that
-/// the Hessian is symmetric.
+/// The second derivatives of the length by anchor and radius: ∂²q/∂r_p∂p_B = −∂u/∂r_p and ∂²q/∂r_p² = (1 − cos β)²/q_f,
+/// so that the Hessian is symmetric.
 #[test]
 fn second_derivatives_by_anchor_and_radius_are_one_symmetric_matrix() {
     let swivelling = (robot_of(vec![tilted_pulley_cable()]), vec![tilted_pose(), Pose::identity()]);
@@ -151,8 +151,8 @@ fn second_derivatives_by_anchor_and_radius_are_one_symmetric_matrix() {
     }
 }
 
-/// A nanometre from the swivel axis and from the rim there are derivatives, and they are right; where there is no path there
-/// is a reason. Nothing is ever NaN.
+/// A nanometre from the swivel axis and from the rim derivatives exist and are right; without a path there is an error.
+/// Nothing is ever NaN.
 #[test]
 fn next_to_axis_and_rim_derivatives_are_finite_and_right() {
     let cable = Cable {
@@ -181,7 +181,7 @@ fn next_to_axis_and_rim_derivatives_are_finite_and_right() {
                 let gradient = path.direction_gradient.iter().flatten();
                 let numbers = [path.length, path.wrap_angle, path.length_by_radius];
                 assert!(gradient.chain(&path.direction_by_radius).chain(&numbers).all(|x| x.is_finite()), "{pose:?}");
-                // nearer than this, rounding of the position itself decides the digits
+                // nearer than this, rounding of the position itself determines the digits
                 if distance >= 1e-9 {
                     check_derivatives(&robot, &pose, true);
                 }
@@ -211,7 +211,7 @@ fn radius_zero_gives_the_base_model_in_values_and_derivatives() {
     }
 }
 
-/// r_p = 0 is a point outlet also where the platform anchor lies on the swivel axis.
+/// r_p = 0 is a point outlet, even if the platform anchor lies on the swivel axis.
 #[test]
 fn radius_zero_has_no_axis_to_avoid() {
     let cable = Cable {
@@ -225,7 +225,7 @@ fn radius_zero_has_no_axis_to_avoid() {
     assert_eq!((path.length, path.direction), (3.0, [0.0, 0.0, 1.0]));
 }
 
-/// `∂q/∂(twist) = −A`: pulling a cable in does the work its force does.
+/// `∂q/∂(twist) = −A`: the work of pulling a cable in equals that of its force.
 #[test]
 fn structure_matrix_is_minus_the_length_gradient() {
     for composition in [Composition::STANDARD, Composition::PULLEY] {
@@ -266,7 +266,7 @@ fn near_the_axis_the_wrap_angle_is_counted_the_right_way() {
     let printed = free + radius * ((free / center_distance).acos() + (b_z / center_distance).acos());
     let surplus = 2.0 * radius * (b_z / center_distance).acos();
     assert!((printed - path.length - surplus).abs() < 1e-13);
-    // tangent point on the circle, free part tangent to it
+    // tangent point on the circle, with the free part tangent to it
     let u = path.direction;
     let contact = [b_xy + path.free_length * u[0], b_z + path.free_length * u[2]];
     assert!((f64::hypot(contact[0] - radius, contact[1]) - radius).abs() < 1e-14);
@@ -292,7 +292,7 @@ fn degenerate_courses_are_named_and_never_nan() {
     assert_eq!(at(1e300, 1e300, Composition::STANDARD), Reason::NotFinite { cable: 1 });
 }
 
-/// The contact point of a placed pulley is the anchor it was placed for, so the pull is the point model's.
+/// The contact point of a placed pulley is the anchor of the point model, so that the pull is the same.
 #[test]
 fn a_placed_pulley_touches_where_the_point_model_has_its_anchor() {
     let robot = robot_of(vec![Cable { pulley: None, ..tilted_pulley_cable() }]);
@@ -351,7 +351,7 @@ fn the_gradient_by_parameters_is_the_gradient_of_the_recorded_length() {
     }
 }
 
-/// A compliance takes the place of a stiffness, which the file then states no more: nothing may say that it is assumed.
+/// A compliance replaces a stiffness, which the file then no longer states: no key may be listed as assumed.
 #[cfg(feature = "files")]
 #[test]
 fn a_robot_with_identified_compliances_can_be_read_again() {

@@ -4,7 +4,7 @@ use super::ModelError;
 use crate::cable::winch::{DrumError, Winch, missing_key};
 use crate::robot::Robot;
 
-/// The winches of a robot: drums, or ideal winches where a radius is known.
+/// The winches of a robot: drums, or ideal winches for cables with a known radius.
 pub(super) fn winches_of(robot: &Robot, with_drums: bool) -> Result<Vec<Option<Winch>>, ModelError> {
     let refused = |index: usize, reason: DrumError| ModelError::Drum {
         cable: index + 1,

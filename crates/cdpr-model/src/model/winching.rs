@@ -1,4 +1,4 @@
-//! Motor angles of a model: what its winches are told, and what they count.
+//! Motor angles of a model: conversion to and from controlled and recorded lengths.
 
 use std::borrow::Cow;
 
@@ -9,11 +9,11 @@ use crate::cable::winch::{DrumLength, GrooveError, Winch};
 use crate::measurement::Samples;
 use crate::robot::{Parameter, ParameterKind};
 
-/// Motor angles that a model cannot tell lengths by.
+/// Motor angles that a model cannot convert to lengths.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum WinchError {
-    /// Without a radius there is not even an ideal winch.
+    /// No radius is known, so that there is not even an ideal winch.
     #[error(
         "motor angles need `drum_radius_m`, which cable {cable} (\"{name}\") does not have; add the key to its [[cable]] table, or give lengths"
     )]
@@ -23,7 +23,7 @@ pub enum WinchError {
         /// Name of the cable.
         name: String,
     },
-    /// The groove does not hold the cable needed.
+    /// The length or angle is outside the range of the groove.
     #[error("cable {cable} (\"{name}\"): {reason}")]
     Groove {
         /// Number of the cable, from 1.
@@ -44,16 +44,17 @@ pub enum WinchError {
 }
 
 impl Model {
-    /// The winch of one cable (0-based): its drum in a model with the effect `drum`, otherwise an ideal winch of the drum's
-    /// radius; `None` where the robot states no radius.
+    /// The winch of one cable (0-based): its drum in a model with the effect `drum`, otherwise an ideal winch of the
+    /// drum's radius; `None` if the robot states no radius.
     pub fn winch(&self, cable: usize) -> Option<&Winch> {
         self.winches[cable].as_ref()
     }
 
     /// Motor angle at which one cable (0-based) has this controlled length (m → rad).
     ///
-    /// Drum angles stand for recorded lengths, length_scale · q_θ + length_offset: calibrated scale and offset hold for robots
-    /// that record angles as they do for those that record lengths. Without the effect `drum` the winch is an ideal one.
+    /// Drum angles correspond to recorded lengths, length_scale · q_θ + length_offset: calibrated scale and offset
+    /// apply to robots that record angles as to those that record lengths. Without the effect `drum` the winch is an
+    /// ideal one.
     pub fn motor_angle(&self, cable: usize, controlled_length: f64) -> Result<f64, WinchError> {
         self.recorded_motor_angle(cable, self.recorded_length(cable, controlled_length))
     }
@@ -73,8 +74,8 @@ impl Model {
         motor_angles.iter().enumerate().map(length).collect()
     }
 
-    /// The samples with the lengths that this model's winches have at the motor angles recorded; as they are where lengths
-    /// were recorded.
+    /// The samples with the lengths of this model's winches at the recorded motor angles; unchanged if lengths were
+    /// recorded.
     pub fn with_lengths<'s>(&self, samples: &'s Samples) -> Result<Cow<'s, Samples>, WinchError> {
         let Some(angles) = samples.motor_angles.as_ref().filter(|_| samples.cable_count == self.cable_count()) else {
             return Ok(Cow::Borrowed(samples));

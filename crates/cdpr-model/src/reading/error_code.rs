@@ -1,7 +1,7 @@
-//! Stable short names of everything that the library refuses, for scripts and for looking up.
+//! Stable short names of all errors of the library, for scripts and for looking up.
 //!
-//! A code is `area::mistake` in words. One mistake has one code, whichever function met it: an error that only carries
-//! another one has the other's code. Errors of files ([`ReadError`]) bring their own.
+//! A code is `area::mistake` in words. One mistake has one code, in whichever function it occurs: an error that only
+//! contains another one has the other's code. Errors of files ([`ReadError`]) contain their own.
 
 use super::{FileError, ReadError};
 

@@ -1,6 +1,6 @@
-//! Names of choices in options, files and answers.
+//! Names of choices in options, files and results.
 
-/// A choice among few that options, files and answers call by a name.
+/// A choice from a short list, with a name in options, files and results.
 ///
 /// ```
 /// use cdpr::calibration::Loss;
@@ -10,13 +10,13 @@
 /// assert_eq!(Loss::ALL.iter().map(|loss| loss.name()).collect::<Vec<_>>(), ["auto", "squared", "huber", "cauchy"]);
 /// ```
 pub trait Keyword: Copy + 'static {
-    /// All of them, in the order in which they are listed.
+    /// All choices, in the order in which they are listed.
     const ALL: &'static [Self];
 
-    /// The name.
+    /// The name of the choice.
     fn name(self) -> &'static str;
 
-    /// The choice of this name; `None` if there is none.
+    /// The choice with this name; `None` if there is none.
     fn named(name: &str) -> Option<Self> {
         Self::ALL.iter().copied().find(|choice| choice.name() == name)
     }

@@ -1,6 +1,7 @@
-//! Mistakes in a file that a user wrote: place, reason and how to mend it.
+//! Errors in a file written by a user: position, reason and advice.
 //!
-//! One error type for every text file the library reads (robots, measurements, studies), so that they all report alike.
+//! All text files that the library reads (robots, measurements, studies) share one error type, so that their errors
+//! look alike.
 
 mod error_code;
 mod file;
@@ -28,11 +29,11 @@ pub(crate) use xml_document::{Element, XmlDocument, numbers};
 use std::fmt;
 use std::ops::Range;
 
-/// Numbers beyond this are refused in files: squares and cubes of what is accepted stay finite.
+/// Largest number by amount that is accepted in files: its squares and cubes stay finite.
 #[cfg(feature = "files")]
 pub(crate) const MAGNITUDE_LIMIT: f64 = 1e30;
 
-/// Kinds of files, which differ in how large they may be.
+/// Kinds of files, with different largest sizes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Size {
     /// Written by hand: robots, studies, sidecars; 16 MiB.
@@ -42,7 +43,7 @@ pub enum Size {
 }
 
 impl Size {
-    /// The largest file of this kind that is read (bytes).
+    /// The largest size of a file of this kind (bytes).
     pub(crate) fn limit(self) -> usize {
         match self {
             Self::Text => 16 << 20,
@@ -64,23 +65,23 @@ impl Size {
     }
 }
 
-/// Most characters of a source line that an error carries along.
+/// Largest number of characters of a source line in an error.
 const SHOWN_WIDTH: usize = 160;
 
-/// A file that cannot be accepted: what is wrong, where, why, and how to mend it.
+/// A file that cannot be accepted, with the error, its position, its reason, and advice.
 ///
 /// `Display` prints `file:line:column: message` and, on a second line, the help.
 #[derive(Clone, Debug, PartialEq, Eq, thiserror::Error)]
 pub struct ReadError {
     /// The file as the caller named it.
     pub file_name: String,
-    /// Place in the file; `None` when the file as a whole is meant.
+    /// Position in the file; `None` if the error concerns the file as a whole.
     pub place: Option<TextPlace>,
-    /// Mistake with its reason, in words.
+    /// Error with its reason, in words.
     pub message: String,
-    /// How to mend it.
+    /// Advice on how to correct it.
     pub help: Option<String>,
-    /// Stable short name of the mistake, e.g. `robot::layout-version`.
+    /// Stable short name of the error, e.g. `robot::unknown-key`.
     pub code: &'static str,
 }
 
@@ -90,26 +91,26 @@ impl ReadError {
         Self { file_name: file_name.into(), place: None, message: message.into(), help: None, code }
     }
 
-    /// The same error at a place.
+    /// The same error at a position.
     #[must_use]
     pub fn at(mut self, place: TextPlace) -> Self {
         self.place = Some(place);
         self
     }
 
-    /// The same error with a hint how to mend it.
+    /// The same error with advice on how to correct it.
     #[must_use]
     pub fn with_help(mut self, help: impl Into<String>) -> Self {
         self.help = Some(help.into());
         self
     }
 
-    /// Line of the mistake, from 1.
+    /// Line of the error, from 1.
     pub fn line(&self) -> Option<usize> {
         self.place.as_ref().map(TextPlace::line)
     }
 
-    /// Column of the mistake in characters, from 1.
+    /// Column of the error in characters, from 1.
     pub fn column(&self) -> Option<usize> {
         self.place.as_ref().map(TextPlace::column)
     }
@@ -128,7 +129,7 @@ impl fmt::Display for ReadError {
     }
 }
 
-/// A stretch of one line of a text file, with the line itself to show it by.
+/// A range of characters in one line of a text file, with the line itself for display.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct TextPlace {
     line: u32,
@@ -139,7 +140,8 @@ pub struct TextPlace {
 }
 
 impl TextPlace {
-    /// The place of a byte range of a text; a range beyond the end is the end, one over several lines ends with its first.
+    /// The position of a byte range of a text; a range beyond the end becomes the end, one over several lines ends with
+    /// its first.
     pub fn of_span(text: &str, span: Range<usize>) -> Self {
         let start = character_boundary(text, span.start);
         let end = character_boundary(text, span.end).max(start);
@@ -151,9 +153,9 @@ impl TextPlace {
         Self::on_line(text[line_start..line_end].trim_end_matches('\r'), line, before + 1, width)
     }
 
-    /// The place `width` characters wide at a column of a line; both count from 1, the column in characters.
+    /// The position of `width` characters from a column of a line on; both count from 1, the column in characters.
     pub fn on_line(source_line: &str, line: usize, column: usize, width: usize) -> Self {
-        // a line of megabytes is shown by the part around the mistake
+        // of a very long line only the part around the error is shown
         let skipped = if column > SHOWN_WIDTH { column - SHOWN_WIDTH / 2 } else { 0 };
         let shown: String = source_line.chars().skip(skipped).take(SHOWN_WIDTH).collect();
         let caret = column.saturating_sub(1 + skipped);
@@ -178,22 +180,22 @@ impl TextPlace {
         self.column as usize
     }
 
-    /// How many characters are meant, at least 1.
+    /// Number of characters of the range, at least 1.
     pub fn width(&self) -> usize {
         self.width as usize
     }
 
-    /// The line that holds the mistake; of a very long line the part around it.
+    /// The line with the error; of a very long line the part around it.
     pub fn source_line(&self) -> &str {
         &self.source_line
     }
 
-    /// Characters of [`Self::source_line`] before the mistake.
+    /// Number of characters of [`Self::source_line`] before the error.
     pub fn caret(&self) -> usize {
         self.caret as usize
     }
 
-    /// Two lines for people: the source line, and carets under the mistake.
+    /// Two lines for display: the source line, and carets under the error.
     pub fn snippet(&self) -> String {
         let caret = self.caret as usize;
         let tab_or_space = |character: char| if character == '\t' { '\t' } else { ' ' };
@@ -203,7 +205,7 @@ impl TextPlace {
     }
 }
 
-/// The bytes as text, or the error that shows the first byte which is not UTF-8 or that the file is too large.
+/// The bytes as text; an error at the first byte that is not UTF-8, or for a file that is too large.
 pub fn text_from_bytes<'a>(bytes: &'a [u8], size: Size, file_name: &str) -> Result<&'a str, ReadError> {
     size.check(bytes.len() as u64, file_name)?;
     std::str::from_utf8(bytes).map_err(|error| {
@@ -220,7 +222,7 @@ pub fn text_from_bytes<'a>(bytes: &'a [u8], size: Size, file_name: &str) -> Resu
     })
 }
 
-/// The known name that was probably meant.
+/// The known name that is most similar to a wrong one; `None` if none is similar enough.
 pub fn did_you_mean<'a>(wrong: &str, known: impl IntoIterator<Item = &'a str>) -> Option<&'a str> {
     let lower = wrong.to_lowercase();
     let likeness = |name: &'a str| (strsim::jaro_winkler(&lower, &name.to_lowercase()), name);
@@ -228,11 +230,11 @@ pub fn did_you_mean<'a>(wrong: &str, known: impl IntoIterator<Item = &'a str>) -
     (best.0 > 0.8).then_some(best.1)
 }
 
-/// Most names that stand beside the one that was probably meant.
+/// Largest number of names listed besides the most similar one.
 #[cfg(feature = "files")]
 const LISTED: usize = 12;
 
-/// Help for a name that is not known: the probable one, and all that are allowed unless they are many.
+/// Advice for an unknown name: the most similar one, and all allowed names unless there are many.
 #[cfg(feature = "files")]
 pub fn help_for_unknown(wrong: &str, known: &[&str]) -> String {
     let allowed = format!("allowed: {}", known.join(", "));

@@ -1,4 +1,4 @@
-//! Text of a table, whatever encoding a logger or a spreadsheet wrote it in.
+//! Text of a table in any encoding that loggers and spreadsheets write.
 
 use std::borrow::Cow;
 
@@ -6,17 +6,17 @@ use encoding_rs::{Encoding, UTF_16BE, UTF_16LE, WINDOWS_1252};
 
 use super::{ReadError, Size, TextPlace, text_from_bytes};
 
-/// Bytes at the start that show UTF-16 without a mark.
+/// Number of bytes at the start that are tested for UTF-16 without a byte order mark.
 const LOOKED_AT: usize = 512;
 
-/// A table as text, and the encoding it was decoded from where that is not UTF-8.
+/// A table as text, with its encoding if that is not UTF-8.
 pub(crate) struct TableText<'a> {
     pub(crate) text: Cow<'a, str>,
-    /// Name of the encoding, for people.
+    /// Name of the encoding, for messages.
     pub(crate) encoding: Option<&'static str>,
 }
 
-/// Text of a table: UTF-8, else UTF-16, else Latin-1; control characters of a binary file are refused.
+/// Decodes a table: UTF-8, otherwise UTF-16, otherwise Latin-1; control characters of a binary file are an error.
 pub(crate) fn table_text<'a>(bytes: &'a [u8], file_name: &str) -> Result<TableText<'a>, ReadError> {
     Size::Table.check(bytes.len() as u64, file_name)?;
     if let Some(encoding) = utf_16(bytes) {
@@ -27,7 +27,7 @@ pub(crate) fn table_text<'a>(bytes: &'a [u8], file_name: &str) -> Result<TableTe
         Err(_) if bytes.iter().copied().any(is_control) => text_from_bytes(bytes, Size::Table, file_name)
             .map(|text| TableText { text: Cow::Borrowed(text), encoding: None }),
         Err(_) => {
-            // the superset of Latin-1 that spreadsheets mean by it; it knows every byte
+            // the superset of Latin-1 that spreadsheets write; every byte is valid in it
             let text = WINDOWS_1252.decode_without_bom_handling(bytes).0;
             Ok(TableText { text, encoding: Some("Latin-1") })
         }
@@ -46,7 +46,7 @@ fn from_utf_16<'a>(bytes: &'a [u8], encoding: &'static Encoding, file_name: &str
         .with_help("save the file as UTF-8"))
 }
 
-/// The kind of UTF-16: by its mark, else by zeros in every other byte, as text of Western languages has them.
+/// The kind of UTF-16: by its byte order mark, otherwise by zeros in every other byte, as in text of Western languages.
 fn utf_16(bytes: &[u8]) -> Option<&'static Encoding> {
     if let Some((encoding, _)) = Encoding::for_bom(bytes) {
         return [UTF_16LE, UTF_16BE].into_iter().find(|utf_16| *utf_16 == encoding);

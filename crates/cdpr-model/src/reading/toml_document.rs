@@ -1,4 +1,4 @@
-//! A parsed TOML file that remembers where everything stands.
+//! A parsed TOML file with the positions of all its values.
 
 use std::ops::Range;
 
@@ -8,7 +8,7 @@ use toml::de::{DeTable, DeValue};
 
 use super::{MAGNITUDE_LIMIT, ReadError, Size, TextPlace, help_for_unknown};
 
-/// One step on the way to a value.
+/// One step of the path to a value.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Step<'a> {
     /// Into a table.
@@ -17,7 +17,7 @@ pub enum Step<'a> {
     Index(usize),
 }
 
-/// A TOML file: it becomes any type by serde, and mistakes found afterwards are placed by the path of their key.
+/// A TOML file that serde converts to any type; later errors are located by the path of their key.
 #[derive(Clone, Debug)]
 pub struct TomlDocument<'a> {
     text: &'a str,
@@ -25,10 +25,10 @@ pub struct TomlDocument<'a> {
     root: Spanned<DeTable<'a>>,
 }
 
-/// Key of the table that gathered keys are read from; stated by a file it is unknown.
+/// Key of the table from which gathered keys are read; unknown if a file states it.
 const GATHERED: &str = "gathered keys";
 
-/// Keys of every table of a list that are read as a table inside it: those that no type names.
+/// Keys in every table of a list that are read as a table inside it, since no type has them as fields.
 #[derive(Clone, Debug)]
 pub struct Gathering<'k> {
     /// Key of the list.
@@ -43,7 +43,7 @@ impl Gathering<'_> {
         for entry in tables.iter_mut() {
             let span = entry.span();
             let DeValue::Table(table) = entry.get_mut() else { continue };
-            // a look at every key once costs less than looking each of ours up
+            // one pass over the keys costs less than a search for each of ours
             let is_ours = |key: &str| key == GATHERED || self.keys.contains(&key);
             if !table.keys().any(|key| is_ours(key.get_ref())) {
                 continue;
@@ -59,7 +59,7 @@ impl Gathering<'_> {
         }
     }
 
-    /// Words of an error with the gathered keys in place of their table.
+    /// Names in an error, with the gathered keys in place of their table.
     fn spelled<'w>(&'w self, words: Vec<&'w str>) -> Vec<&'w str> {
         let spelled = |word| if word == GATHERED { self.keys.clone() } else { vec![word] };
         words.into_iter().flat_map(spelled).collect()
@@ -67,7 +67,7 @@ impl Gathering<'_> {
 }
 
 impl<'a> TomlDocument<'a> {
-    /// Parses a file that says something, with numbers that can be calculated with.
+    /// Parses a file that is not empty, with numbers that can be calculated with.
     pub fn parse(text: &'a str, file_name: &'a str) -> Result<Self, ReadError> {
         Size::Text.check(text.len() as u64, file_name)?;
         let root = DeTable::parse(text).map_err(|error| {
@@ -85,12 +85,12 @@ impl<'a> TomlDocument<'a> {
         Ok(document)
     }
 
-    /// The file as a value of `T`; unknown keys, missing keys and wrong types are errors with their place.
+    /// The file as a value of `T`; unknown keys, missing keys and wrong types are errors with their position.
     pub fn deserialize<T: DeserializeOwned>(&self) -> Result<T, ReadError> {
         self.deserialize_gathering(&Gathering { list: "", keys: Vec::new() })
     }
 
-    /// As [`TomlDocument::deserialize`], where every table of a list has some of its keys in a table [`GATHERED`].
+    /// As [`TomlDocument::deserialize`], with some keys of every table of a list moved to a table [`GATHERED`].
     pub(crate) fn deserialize_gathering<T: DeserializeOwned>(&self, gathering: &Gathering<'_>) -> Result<T, ReadError> {
         let mut root = self.root.clone();
         gathering.apply(root.get_mut());
@@ -98,8 +98,8 @@ impl<'a> TomlDocument<'a> {
         T::deserialize(deserializer).map_err(|error| self.explain(&error, gathering))
     }
 
-    /// The entries of a table become those of every table of a list that lacks them; of `alternatives`, which say one thing in
-    /// several ways, none where the list's table states one itself. They keep the place where they stand, for errors.
+    /// Copies the entries of a table to every table of a list that lacks them. `alternatives` are forms of one value:
+    /// if the list's table states one, none of them is copied. Copies keep their position, for errors.
     pub(crate) fn fill_in(&mut self, list: &str, defaults: &str, alternatives: &[&str]) {
         let root = self.root.get_mut();
         let Some(DeValue::Table(defaults)) = root.get(defaults).map(|value| value.get_ref().clone()) else { return };
@@ -113,18 +113,18 @@ impl<'a> TomlDocument<'a> {
         }
     }
 
-    /// True where one of the values of a table, or of those inside them, stands at this place.
+    /// True if a value of a table, or one inside its values, is at this position.
     pub(crate) fn stands_in(&self, table: &str, place: &TextPlace) -> bool {
         let is_here = |value: &Spanned<DeValue<'a>>| TextPlace::of_span(self.text, value.span()) == *place;
         self.root.get_ref().get(table).is_some_and(|table| any_inside(table, &is_here))
     }
 
-    /// Number of values in a table, those inside them counted too.
+    /// Number of values in a table, including those inside its values.
     pub(crate) fn values_in(&self, table: &str) -> usize {
         self.root.get_ref().get(table).map_or(0, count_inside)
     }
 
-    /// The value at a path, where there is one.
+    /// The value at a path; `None` if there is none.
     pub(crate) fn value(&self, path: &[Step<'_>]) -> Option<&DeValue<'a>> {
         let (first, rest) = path.split_first()?;
         let Step::Key(name) = first else { return None };
@@ -135,12 +135,12 @@ impl<'a> TomlDocument<'a> {
         Some(value.get_ref())
     }
 
-    /// An error at the value of a path, or at the innermost part of the path that exists.
+    /// An error at the value of a path, or at the innermost existing part of the path.
     pub fn error_at(&self, path: &[Step<'_>], code: &'static str, message: impl Into<String>) -> ReadError {
         ReadError::new(self.file_name, code, message).at(TextPlace::of_span(self.text, self.span(path)))
     }
 
-    /// Bytes of the innermost existing part of a path: the value of a key, the header of a table.
+    /// Byte range of the innermost existing part of a path: the value of a key, the header of a table.
     fn span(&self, path: &[Step<'_>]) -> Range<usize> {
         let mut steps = path.iter();
         let Some(Step::Key(name)) = steps.next() else { return 0..0 };
@@ -177,7 +177,7 @@ impl<'a> TomlDocument<'a> {
         }
     }
 
-    /// A serde error in the words of a user.
+    /// A serde error in words for users.
     fn explain(&self, error: &toml::de::Error, gathering: &Gathering<'_>) -> ReadError {
         let span = error.span().unwrap_or(0..0);
         let (message, quoted) = (error.message(), gathering.spelled(quoted_words(error.message())));
@@ -212,7 +212,7 @@ impl<'a> TomlDocument<'a> {
     }
 }
 
-/// Value that a step leads to.
+/// Value to which a step leads.
 fn child<'t, 'a>(value: &'t Spanned<DeValue<'a>>, step: &Step<'_>) -> Option<&'t Spanned<DeValue<'a>>> {
     match (step, value.get_ref()) {
         (Step::Key(name), DeValue::Table(table)) => table.get(*name),
@@ -221,7 +221,7 @@ fn child<'t, 'a>(value: &'t Spanned<DeValue<'a>>, step: &Step<'_>) -> Option<&'t
     }
 }
 
-/// True where a condition holds for one of the values inside a table or a list.
+/// True if a condition holds for one of the values inside a table or a list.
 fn any_inside<'a>(value: &Spanned<DeValue<'a>>, condition: &impl Fn(&Spanned<DeValue<'a>>) -> bool) -> bool {
     let holds = |inner: &Spanned<DeValue<'a>>| condition(inner) || any_inside(inner, condition);
     match value.get_ref() {
@@ -240,12 +240,12 @@ fn count_inside(value: &Spanned<DeValue<'_>>) -> usize {
     }
 }
 
-/// The words between backticks: serde quotes the name it met and then the names it knows.
+/// The words between backticks: serde quotes the name found and then the known names.
 fn quoted_words(message: &str) -> Vec<&str> {
     message.split('`').skip(1).step_by(2).collect()
 }
 
-/// Names of Rust types replaced by words.
+/// A message with names of Rust types replaced by words.
 fn in_plain_words(message: &str) -> String {
     [
         ("a map", "a table"),
@@ -321,7 +321,7 @@ mod tests {
         numbers: std::collections::BTreeMap<String, f64>,
     }
 
-    /// Keys that no type names are read, misspelt ones are told with those that were meant, and mistakes stand where they are.
+    /// Keys without a field are read, misspelt ones are reported with similar names, and errors are at their positions.
     #[test]
     fn gathered_keys_are_keys_like_others() {
         let read = |text: &str| {

@@ -1,7 +1,7 @@
-//! A parsed XML file that remembers where everything stands.
+//! A parsed XML file with the positions of all its elements.
 //!
-//! The file may come from anywhere: nothing outside of it is read, entities are not defined by it, and its size, its
-//! elements and the attributes of each are bounded before anything is built from them.
+//! The file may come from an untrusted source: nothing outside it is read, it cannot define entities, and its size, its
+//! elements and the attributes of each are limited before they are parsed.
 
 use std::ops::Range;
 
@@ -10,16 +10,16 @@ use thiserror::Error;
 
 use super::{MAGNITUDE_LIMIT, ReadError, Size, TextPlace, text_from_bytes};
 
-/// The largest XML file that is read (bytes); those of robots have some ten thousand.
+/// The largest XML file that is read (bytes); robots have some ten thousand.
 const XML_SIZE_LIMIT: usize = 4 * 1024 * 1024;
 
-/// Most elements, texts and comments of a file.
+/// Largest number of elements, texts and comments of a file.
 const NODE_LIMIT: u32 = 200_000;
 
-/// Most attributes of one tag: the parser compares each with all others.
+/// Largest number of attributes of one tag: the parser compares each with all others.
 const ATTRIBUTE_LIMIT: usize = 256;
 
-/// Most namespaces of a file: the parser hands them down to every element.
+/// Largest number of namespaces of a file: the parser passes them to every element.
 const NAMESPACE_LIMIT: usize = 16;
 
 /// An XML file.
@@ -38,11 +38,11 @@ pub(crate) struct Element<'t, 'a> {
 }
 
 impl<'a> XmlDocument<'a> {
-    /// Parses bytes that may not even be text.
+    /// Parses bytes that may not be text.
     pub(crate) fn parse(bytes: &'a [u8], file_name: &'a str) -> Result<Self, ReadError> {
         let text = text_from_bytes(bytes, Size::Text, file_name)?;
         check_bounds(text, file_name)?;
-        // a document type may stand there, but what it points to is not looked at
+        // a document type is allowed, but external files in it are not read
         let options = ParsingOptions { allow_dtd: true, nodes_limit: NODE_LIMIT, entity_resolver: None };
         let tree = Document::parse_with_options(text, options).map_err(|error| {
             let (line, column) = (error.pos().row as usize, error.pos().col as usize);
@@ -54,7 +54,7 @@ impl<'a> XmlDocument<'a> {
         Ok(Self { text, file_name, tree })
     }
 
-    /// The outermost element, which must have this name.
+    /// The outermost element; an error if it does not have this name.
     pub(crate) fn root(&self, name: &str) -> Result<Element<'_, 'a>, ReadError> {
         let root = Element { document: self, node: self.tree.root_element() };
         if root.name() == name {
@@ -69,7 +69,7 @@ impl<'a> XmlDocument<'a> {
     }
 }
 
-/// Refuses what would make parsing slow or large, before parsing.
+/// Refuses files whose parsing would be slow or large, before parsing.
 fn check_bounds(text: &str, file_name: &str) -> Result<(), ReadError> {
     let error = |at: usize, code, message: String| {
         ReadError::new(file_name, code, message).at(TextPlace::of_span(text, at..at))
@@ -88,7 +88,7 @@ fn check_bounds(text: &str, file_name: &str) -> Result<(), ReadError> {
     if let Some((at, _)) = text.match_indices("xmlns").nth(NAMESPACE_LIMIT) {
         return Err(error(at, "xml::namespaces", format!("more than {NAMESPACE_LIMIT} namespaces")));
     }
-    // no `<` can stand inside a tag, and every attribute has two quotes
+    // no `<` can be inside a tag, and every attribute has two quotes
     let mut start = 0;
     for piece in text.split('<') {
         if piece.bytes().filter(|byte| matches!(byte, b'"' | b'\'')).nth(2 * ATTRIBUTE_LIMIT).is_some() {
@@ -100,7 +100,7 @@ fn check_bounds(text: &str, file_name: &str) -> Result<(), ReadError> {
 }
 
 impl<'t, 'a> Element<'t, 'a> {
-    /// The name of its tag.
+    /// The name of the tag.
     pub(crate) fn name(&self) -> &'t str {
         self.node.tag_name().name()
     }
@@ -110,23 +110,23 @@ impl<'t, 'a> Element<'t, 'a> {
         self.document.file_name
     }
 
-    /// Line of its tag, from 1.
+    /// Line of the tag, from 1.
     pub(crate) fn line(&self) -> usize {
         TextPlace::of_span(self.document.text, self.tag()).line()
     }
 
-    /// Its tag up to the name.
+    /// Byte range of the tag up to its name.
     fn tag(&self) -> Range<usize> {
         let start = self.node.range().start;
         start..start + 1 + self.name().len()
     }
 
-    /// An error at its tag.
+    /// An error at the tag.
     pub(crate) fn error(&self, code: &'static str, message: impl Into<String>) -> ReadError {
         self.document.error_at(self.tag(), code, message)
     }
 
-    /// An error at what stands inside, or at the tag where nothing does.
+    /// An error at the text inside, or at the tag if there is none.
     pub(crate) fn content_error(&self, code: &'static str, message: impl Into<String>) -> ReadError {
         let text = self.node.children().find(|child| child.is_text() && !is_blank(child));
         let span = text.map_or_else(
@@ -140,7 +140,7 @@ impl<'t, 'a> Element<'t, 'a> {
         self.document.error_at(span, code, message)
     }
 
-    /// An error at the value of an attribute, or at the tag where it is missing.
+    /// An error at the value of an attribute, or at the tag if it is missing.
     pub(crate) fn attribute_error(&self, name: &str, code: &'static str, message: impl Into<String>) -> ReadError {
         let span = self.node.attribute_node(name).map_or_else(|| self.tag(), |attribute| attribute.range_value());
         self.document.error_at(span, code, message)
@@ -151,7 +151,7 @@ impl<'t, 'a> Element<'t, 'a> {
         self.node.attribute(name)
     }
 
-    /// The value of an attribute that must be there and say something.
+    /// The value of a required attribute; an error if it is missing or empty.
     pub(crate) fn required_attribute(&self, name: &str) -> Result<&'t str, ReadError> {
         self.attribute(name).filter(|value| !value.trim().is_empty()).ok_or_else(|| {
             self.attribute_error(name, "xml::missing", format!("<{}> needs the attribute `{name}`", self.name()))
@@ -169,7 +169,7 @@ impl<'t, 'a> Element<'t, 'a> {
         self.node.children().filter(Node::is_element).map(move |node| Element { document, node })
     }
 
-    /// The one element of a name directly inside, where there is one.
+    /// The only element of a name directly inside; `None` if there is none, an error if there are several.
     pub(crate) fn child(&self, name: &str) -> Result<Option<Element<'t, 'a>>, ReadError> {
         let mut found = self.elements().filter(|element| element.name() == name);
         let first = found.next();
@@ -179,13 +179,13 @@ impl<'t, 'a> Element<'t, 'a> {
         }
     }
 
-    /// The one element of a name directly inside, which must be there.
+    /// The only element of a name directly inside; an error if it is missing.
     pub(crate) fn required(&self, name: &str) -> Result<Element<'t, 'a>, ReadError> {
         let missing = || self.error("xml::missing", format!("<{name}> is missing in <{}>", self.name()));
         self.child(name)?.ok_or_else(missing)
     }
 
-    /// The text inside, which nothing else may interrupt.
+    /// The text inside; an error if it is empty, or contains elements or comments.
     pub(crate) fn text(&self) -> Result<&'t str, ReadError> {
         if let Some(inner) = self.elements().next() {
             let message = format!("<{}> stands where only text belongs", inner.name());
@@ -229,7 +229,7 @@ fn is_blank(node: &Node<'_, '_>) -> bool {
     node.text().is_none_or(|text| text.trim().is_empty())
 }
 
-/// Text that is no number to calculate with; its first 40 characters.
+/// Text that is not a usable number, with its first 40 characters.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub(crate) enum NumberError {
     #[error("{shown} is beyond ±{MAGNITUDE_LIMIT:e}")]
@@ -240,13 +240,13 @@ pub(crate) enum NumberError {
     NotANumber { shown: String },
 }
 
-/// Numbers separated by spaces or commas; infinite ones only where the caller takes them.
+/// Numbers separated by spaces or commas, all finite.
 pub(crate) fn numbers(text: &str) -> Result<Vec<f64>, NumberError> {
     let words = text.split(|separator: char| separator.is_whitespace() || separator == ',');
     words.filter(|word| !word.is_empty()).map(number).collect()
 }
 
-/// A number that can be calculated with.
+/// A finite number of limited size.
 pub(crate) fn number(text: &str) -> Result<f64, NumberError> {
     let shown: String = text.chars().take(40).collect();
     match text.parse::<f64>() {
@@ -287,7 +287,7 @@ mod tests {
         assert_eq!(interrupted.root("a").unwrap().number().unwrap_err().code, "xml::wrong-type");
     }
 
-    /// Each of these is small, and would be gigabytes or hours for a careless reader.
+    /// Each of these files is small, but would cost a careless reader gigabytes or hours.
     #[test]
     fn hostile_files_are_refused_quickly() {
         let laughs = "<!DOCTYPE a [<!ENTITY b \"ha\"><!ENTITY c \"&b;&b;&b;\">]><a>&c;</a>";
@@ -306,7 +306,7 @@ mod tests {
         assert_eq!(code_of("<a>&undefined;</a>"), "xml::syntax");
     }
 
-    /// Deep nesting is neither followed by recursion nor costly to give back.
+    /// Deep nesting is not followed by recursion and is cheap to free.
     #[test]
     fn deep_nesting_is_harmless() {
         let deep = format!("{}{}", "<a>".repeat(90_000), "</a>".repeat(90_000));

@@ -1,4 +1,4 @@
-//! Numbers of a robot that nobody printed or measured: assumptions, each with its reason.
+//! Numbers of a robot that were neither published nor measured: assumptions, each with its reason.
 
 use serde::{Deserialize, Serialize};
 

@@ -7,13 +7,13 @@ use super::parameter::Head;
 use super::reader::Reader;
 use crate::reading::{ReadError, Step, did_you_mean};
 
-/// Tables whose numbers may be assumed, besides those of the cables.
+/// Tables with numbers that may be assumed, besides those of the cables.
 const TABLES: [&str; 4] = ["platform", "home_pose", "external_wrench", "workspace"];
 
-/// Code of mistakes in these tables.
+/// Code of errors in these tables.
 const CODE: &str = "robot::assumption";
 
-/// Every assumption names a number of the file, once, and has a reason.
+/// Checks that every assumption names a number of the file, once, and has a reason.
 pub(super) fn check_assumptions(reader: &Reader<'_>, file: &RobotFile) -> Result<(), ReadError> {
     for (index, assumption) in file.assumption.iter().enumerate() {
         let error = |key: &str, message: String| {
@@ -49,7 +49,7 @@ pub(super) fn check_assumptions(reader: &Reader<'_>, file: &RobotFile) -> Result
     Ok(())
 }
 
-/// True where the file states the number: of cables in brackets each of them, of all cables one at least.
+/// True if the file states the number: for each of the cables in brackets, or for at least one without brackets.
 fn states(reader: &Reader<'_>, head: &Head<'_>, cables: usize) -> bool {
     let number = |path: &[Step<'_>]| reader.document.value(path).is_some_and(is_numeric);
     let Some(key) = head.rest.strip_prefix('.') else {
@@ -81,7 +81,7 @@ fn stated_keys(reader: &Reader<'_>, cables: usize) -> Vec<String> {
     keys
 }
 
-/// True for a number, and for lists and tables of nothing but numbers: a matrix, a law of stretch.
+/// True for a number, and for lists and tables that contain only numbers: a matrix, a law of stretch.
 fn is_numeric(value: &DeValue<'_>) -> bool {
     match value {
         DeValue::Integer(_) | DeValue::Float(_) => true,

@@ -1,15 +1,16 @@
-//! Axes of a robot's parts, which identification may turn away from where a file says they point.
+//! Axes of a robot's parts, which identification may turn from the direction in the file.
 
 use std::ops::Deref;
 
 use nalgebra::Vector3;
 
-/// Turns below this (rad) whose cosines and sines are taken from their series, which are exact to rounding there.
+/// Angle below which cosines and sines of turns are computed by their series, which are exact to rounding there (rad).
 const SMALL_TURN: f64 = 1e-3;
 
-/// Unit vector n along an axis (world), with the turn t that led there from the vector n₀ given: n = n₀ cos|t| + (t × n₀) sin|t|/|t|.
+/// Unit vector n along an axis (world), with the rotation vector t that turns the given vector n₀ to it: n = n₀ cos|t|
+/// + (t × n₀) sin|t|/|t|.
 ///
-/// t is perpendicular to n₀, so that its two components tell where n points. Axes are equal where their vectors are.
+/// t is perpendicular to n₀, so that its two components determine n. Axes are equal if their vectors are.
 #[derive(Clone, Copy, Debug)]
 pub struct Axis {
     vector: Vector3<f64>,
@@ -39,8 +40,8 @@ impl PartialEq for Axis {
 }
 
 impl Axis {
-    /// The two directions about which it turns: the axis of the world that n₀ is least along (the first of several), made perpendicular
-    /// to n₀, and n₀ × this one.
+    /// The two directions about which the axis turns: the world axis with the least component along n₀ (the first of
+    /// several), made perpendicular to n₀, and the cross product of n₀ with it.
     pub(crate) fn directions(&self) -> [Vector3<f64>; 2] {
         let across = Vector3::ith(self.given.iamin(), 1.0);
         let first = (across - self.given * self.given.dot(&across)).normalize();
@@ -52,7 +53,7 @@ impl Axis {
         self.turn.dot(direction) + 0.0
     }
 
-    /// Sets the turn about a direction perpendicular to n₀ (rad); that about the other direction stays.
+    /// Sets the turn about a direction perpendicular to n₀ (rad); that about the other direction does not change.
     pub fn set_turn_about(&mut self, direction: &Vector3<f64>, angle: f64) {
         self.turn = self.turn - direction * self.turn.dot(direction) + direction * angle;
         let size = self.turn.norm();
@@ -64,7 +65,7 @@ impl Axis {
         self.vector = (self.given * size.cos() + self.turn.cross(&self.given) * sine).normalize();
     }
 
-    /// ∂n by the turn about a direction perpendicular to n₀.
+    /// Derivative ∂n by the turn about a direction perpendicular to n₀.
     ///
     /// With s = sin|t|/|t| and c = (cos|t| − s)/|t|²: ∂n = −n₀ s (t·e) + (t × n₀) c (t·e) + s (e × n₀).
     pub fn by_turn_about(&self, direction: &Vector3<f64>) -> Vector3<f64> {
@@ -82,7 +83,7 @@ impl Axis {
             + direction.cross(&self.given) * sine
     }
 
-    /// Rotation of the axis per turn about a direction perpendicular to n₀, without any about itself.
+    /// Rotation vector of the axis per turn about a direction perpendicular to n₀, without a component along the axis.
     pub fn rotation_by_turn_about(&self, direction: &Vector3<f64>) -> Vector3<f64> {
         self.vector.cross(&self.by_turn_about(direction))
     }
@@ -131,7 +132,7 @@ mod tests {
                 for row in 0..3 {
                     let across = a * directions[0].cross(&start)[row] + b * directions[1].cross(&start)[row];
                     let expected = size.cos() * start[row] + across * size.sin() / size;
-                    // the square root near 0 costs dual numbers digits
+                    // the square root near 0 costs dual numbers some digits
                     assert!((axis[row] - expected.re).abs() < 1e-12, "{turns:?}");
                     let slopes = expected.eps.unwrap_generic(Const, Const::<1>);
                     for (direction, slope) in directions.iter().zip(slopes.iter()) {

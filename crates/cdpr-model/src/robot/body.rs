@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use super::Robot;
 
-/// Mass properties of a platform. What its motion pattern does not turn has no inertia, and its centre of mass does not matter.
+/// Mass properties of a platform. A platform that does not rotate has no inertia, and its centre of mass has no effect.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Body {
     /// m (kg).
@@ -16,7 +16,7 @@ pub struct Body {
     pub inertia: Matrix3<f64>,
 }
 
-/// A robot file that does not say what is moved.
+/// A robot file that lacks mass properties.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error("the motion of \"{robot}\" needs {key}: its file {fault}; add the key, in kg, m and kg·m²")]
 pub struct BodyError {
@@ -24,12 +24,12 @@ pub struct BodyError {
     pub robot: String,
     /// The key, with its table.
     pub key: &'static str,
-    /// Fault of the file, after "its file".
+    /// Error in the file, as the end of a sentence that begins "its file".
     pub fault: &'static str,
 }
 
 impl Body {
-    /// Body of a robot's platform: mass above zero, and where the pattern turns centre of mass and positive inertia.
+    /// Body of a robot's platform: mass above zero, and, if the pattern rotates, centre of mass and positive inertia.
     pub fn of(robot: &Robot) -> Result<Self, BodyError> {
         let refuse = |key, fault| BodyError { robot: robot.name.clone(), key, fault };
         let key = "`mass_kg` in [platform]";
@@ -55,7 +55,8 @@ impl Body {
         }
     }
 
-    /// True of an inertia that looks like a placeholder: the same about every axis that the pattern turns, and a power of ten (kg·m²).
+    /// True for an inertia that looks like a placeholder: equal about every axis about which the pattern rotates, and a
+    /// power of ten (kg·m²).
     pub fn has_placeholder_inertia(&self, robot: &Robot) -> bool {
         let about = match robot.motion_pattern.has_rotation() {
             false => return false,
@@ -81,7 +82,8 @@ impl Body {
         matrix
     }
 
-    /// The body with a point mass (kg, negative where it is taken away) fixed at a place (platform frame, m); `None` if no mass is left.
+    /// The body with a point mass (kg, negative if removed) fixed at a point (platform frame, m); `None` if no mass
+    /// remains.
     #[must_use]
     pub fn with_point_mass(&self, added: f64, place: &Vector3<f64>) -> Option<Self> {
         let mass = self.mass + added;

@@ -9,7 +9,7 @@ macro_rules! built_in {
     };
 }
 
-/// The dissertation's seven, then those of CASPR: spatial and constrained, suspended, planar.
+/// The seven of the dissertation, then those of CASPR: spatial and constrained, suspended, planar.
 const ROBOTS: &[(&str, &str)] = built_in![
     "planar-example",
     "planar-example-calibrated",

@@ -1,4 +1,4 @@
-//! `[cable_defaults]` of a robot file: keys that hold for every cable that does not state them.
+//! `[cable_defaults]` of a robot file: keys for every cable that does not state them.
 
 use toml::de::DeValue;
 
@@ -9,11 +9,11 @@ use crate::reading::{ReadError, Step, TomlDocument};
 /// The table's name.
 const TABLE: &str = "cable_defaults";
 
-/// Ways to state one stiffness: a cable that uses one does not have that of another from the defaults.
+/// Forms of one stiffness: a cable that states one does not take another from the defaults.
 pub(super) const STIFFNESS_KEYS: [&str; 3] =
     ["axial_stiffness_EA_N", "axial_compliance_per_N", "spring_constant_N_per_m"];
 
-/// Most numbers that defaults may become when every cable has them.
+/// Largest number of values into which defaults may expand for all cables.
 const VALUE_LIMIT: usize = 1 << 20;
 
 /// Gives every `[[cable]]` the keys of `[cable_defaults]` that it does not state.
@@ -42,7 +42,7 @@ pub(super) fn fill_in_cables(document: &mut TomlDocument<'_>) -> Result<(), Read
     Ok(())
 }
 
-/// An error of a cable that says so where its number stands among the defaults.
+/// Adds to an error of a cable that its number is among the defaults, if it is.
 pub(super) fn tell_default(reader: &Reader<'_>, mut error: ReadError) -> ReadError {
     if error.place.as_ref().is_some_and(|place| reader.document.stands_in(TABLE, place)) {
         error.message.push_str(&format!("; [{TABLE}] states this for every cable that does not"));

@@ -12,13 +12,13 @@ use super::stretch::registry::{LAWS, law_numbers};
 use super::{Cable, CableStiffness, Pulley};
 use crate::reading::{MAGNITUDE_LIMIT, ReadError, Step};
 
-/// Most cables that are read: no robot comes near, and every matrix stays small.
+/// Largest number of cables: far above any robot's, and every matrix stays small.
 const CABLE_LIMIT: usize = 10_000;
 
-/// Most elements of a cable: their error is far below any cable's by then.
+/// Largest number of elements of a cable: their error is negligible by then.
 const FINITE_ELEMENT_LIMIT: usize = 1000;
 
-/// How far the norm of a direction may be from 1 by rounding of its printed digits.
+/// Largest deviation of a direction's norm from 1 by rounding of its printed digits.
 const DIRECTION_NORM_TOLERANCE: f64 = 1e-3;
 
 /// All cables of the file, checked one by one and against each other.
@@ -65,8 +65,8 @@ fn check_count(reader: &Reader<'_>, file: &RobotFile) -> Result<(), ReadError> {
     }
 }
 
-/// Names are there and tell cables apart. A file quoted from a repository, with its commit, keeps the names that were
-/// published: [`Robot::warnings`](super::Robot::warnings) tells of doubles there (CASPR's MACARM has one).
+/// Checks that names are given and unique. A file with repository and commit as its source keeps the published names:
+/// [`Robot::warnings`](super::Robot::warnings) reports repeated names there (CASPR's MACARM has one).
 fn check_names(reader: &Reader<'_>, file: &RobotFile, cables: &[Cable]) -> Result<(), ReadError> {
     let is_quoted = file.source.as_ref().is_some_and(|source| source.repository.is_some() && source.commit.is_some());
     let mut seen = BTreeMap::new();
@@ -87,7 +87,7 @@ fn check_names(reader: &Reader<'_>, file: &RobotFile, cables: &[Cable]) -> Resul
     Ok(())
 }
 
-/// One `[[cable]]` table and where it stands.
+/// One `[[cable]]` table with its index.
 pub(super) struct CableReader<'a> {
     pub(super) reader: &'a Reader<'a>,
     pub(super) section: &'a CableSection,
@@ -149,7 +149,7 @@ impl CableReader<'_> {
         stated.map(|(key, value)| Ok((key, self.positive(key, Some(value))?.unwrap_or(value)))).collect()
     }
 
-    /// A pulley turns with its cable by its radius.
+    /// Checks that a pulley with an inertia has a radius, by which it turns with its cable.
     fn check_pulley_inertia(&self) -> Result<(), ReadError> {
         let has_radius = self.section.pulley_radius_m.is_some_and(|radius| radius > 0.0);
         if has_radius || !self.section.pulley_inertia_kg_m2.is_some_and(|inertia| inertia > 0.0) {
@@ -160,7 +160,7 @@ impl CableReader<'_> {
         Err(self.error("pulley_inertia_kg_m2", "robot::pulley-inertia", message).with_help(help))
     }
 
-    /// A point platform needs none; one that turns has no place to guess.
+    /// The platform anchor; it may be missing for a point platform, but not for one that rotates.
     fn platform_anchor(&self) -> Result<Vector3<f64>, ReadError> {
         let pattern = self.reader.pattern;
         match &self.section.platform_anchor_m {
@@ -183,7 +183,7 @@ impl CableReader<'_> {
         Ok(Pulley::of(radius, axis.map(Into::into)))
     }
 
-    /// The one of three ways in which the file states a stiffness.
+    /// The stiffness in one of the three forms of the file.
     fn stiffness(&self) -> Result<Option<CableStiffness>, ReadError> {
         let axial = self.number(Kind::AxialStiffness, self.section.axial_stiffness_EA_N)?.map(CableStiffness::Axial);
         let compliance = self.number(Kind::Compliance, self.section.axial_compliance_per_N)?;
@@ -231,7 +231,7 @@ impl CableReader<'_> {
         self.unit("pulley_swivel_axis", axis, "robot::swivel-axis", help)
     }
 
-    /// A unit vector; rounding of the printed digits is taken out, anything more is a mistake.
+    /// A unit vector; rounding of the printed digits is removed, a larger deviation is an error.
     pub(super) fn unit(
         &self,
         key: &str,
@@ -244,11 +244,11 @@ impl CableReader<'_> {
             let message = format!("{key} has the norm {norm}; a direction has the norm 1");
             return Err(self.error(key, code, &message).with_help(help.to_owned()));
         }
-        // a vector that is already unit to rounding stays as it is, so that files are read back to the bit
+        // a vector that is already unit to rounding is not changed, so that files are read back to the bit
         Ok(if (norm - 1.0).abs() <= 4.0 * f64::EPSILON { axis } else { axis / norm })
     }
 
-    /// As many elements as a cable can have.
+    /// Checks the number of elements of a cable.
     fn finite_elements(&self, count: Option<usize>) -> Result<Option<usize>, ReadError> {
         match count {
             Some(count) if !(1..=FINITE_ELEMENT_LIMIT).contains(&count) => {
@@ -261,7 +261,7 @@ impl CableReader<'_> {
         }
     }
 
-    /// Only one of the three stiffness keys can hold.
+    /// Checks that at most one of the three stiffness keys is stated.
     fn check_stiffness(&self) -> Result<(), ReadError> {
         let section = self.section;
         let stated = [section.axial_stiffness_EA_N, section.axial_compliance_per_N, section.spring_constant_N_per_m];
@@ -275,7 +275,7 @@ impl CableReader<'_> {
         }
     }
 
-    /// Laws of stretch are laws: tension rises with strain.
+    /// Checks the laws of stretch: tension must rise with strain.
     fn check_stretch(&self, cable: &Cable) -> Result<(), ReadError> {
         for law in LAWS {
             let Err(error) = law.of(cable) else { continue };
@@ -287,7 +287,7 @@ impl CableReader<'_> {
         Ok(())
     }
 
-    /// A pulley of a spatial robot always swivels.
+    /// Checks that only planar robots have pulleys that do not swivel.
     fn check_wrap_side(&self) -> Result<(), ReadError> {
         if self.section.pulley_wrap_side.is_none() || self.reader.pattern.is_planar() {
             return Ok(());
@@ -299,7 +299,7 @@ impl CableReader<'_> {
             .with_help("leave the key out: with pulley_swivel_axis alone the pulley turns to the platform"))
     }
 
-    /// Two limits, neither below zero, in order.
+    /// Checks two limits: neither below zero, and in order.
     fn check_limits(
         &self,
         kinds: [Kind; 2],

@@ -1,18 +1,19 @@
-//! Oddities of a robot that are no mistakes.
+//! Warnings about a robot that is valid but unusual.
 
 use nalgebra::{DMatrix, Vector3};
 
 use super::{Cable, Pulley, Robot};
 use crate::scalar::decomposition::symmetric_eigen;
 
-/// Anchors count as collinear or coplanar when they leave the line or plane by less than this share of their extent.
+/// Deviation from a line or plane, as a fraction of their extent, below which anchors count as collinear or coplanar.
 const FLATNESS: f64 = 1e-6;
 
-/// Tangent of a fleet angle at which no groove holds a cable.
+/// Tangent of a fleet angle above which no groove holds a cable.
 const STEEP_FLEET: f64 = 0.1;
 
 impl Robot {
-    /// Sentences about what is probably not meant, or what some computations will miss; empty when nothing is odd.
+    /// Sentences about properties that probably are mistakes, or that some computations need and lack; empty if there
+    /// are none.
     pub fn warnings(&self) -> Vec<String> {
         let mut warnings = Vec::new();
         self.warn_about_pairs(&mut warnings);
@@ -101,14 +102,15 @@ impl Robot {
     }
 }
 
-/// Tangent of the angle between the cable from a drum at its start and the plane across the drum's axis; `None` behind a guide.
+/// Tangent of the angle between the cable from a drum at its start and the plane across the drum's axis; `None` with a
+/// guide.
 fn fleet_tangent(cable: &Cable) -> Option<f64> {
     let (axis, way) = (cable.winch.axis?, cable.way_to_first_pulley().filter(|_| cable.winch.guided != Some(true))?);
     let along = axis.dot(&way);
     Some(along / (way - *axis * along).norm())
 }
 
-/// In how many dimensions points extend: 0 one point, 1 a line, 2 a plane, 3 space.
+/// Number of dimensions in which points extend: 0 one point, 1 a line, 2 a plane, 3 space.
 fn extent_dimensions(points: &[Vector3<f64>]) -> usize {
     let middle: Vector3<f64> = points.iter().sum::<Vector3<f64>>() / points.len().max(1) as f64;
     let scatter = DMatrix::from_fn(3, points.len(), |row, column| points[column][row] - middle[row]);

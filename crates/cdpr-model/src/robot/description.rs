@@ -1,4 +1,4 @@
-//! The description of a robot, in SI units and spatial vectors whatever its motion pattern.
+//! The description of a robot, in SI units and spatial vectors for any motion pattern.
 
 use std::collections::BTreeMap;
 
@@ -9,18 +9,18 @@ use serde::{Deserialize, Serialize};
 use super::{Assumption, Axis, CableStiffness, CableWinch, HysteresisTable, Obstacle, Pulley};
 use crate::geometry::{MotionPattern, Plane, Pose, Wrench};
 
-/// A cable robot as its file describes it. What the file does not say is `None`: unknown, never zero.
+/// A cable robot as its file describes it. A number that the file does not state is `None`: unknown, never zero.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Robot {
     /// Short name, without spaces.
     pub name: String,
-    /// One line for people.
+    /// One line of description.
     pub title: Option<String>,
     /// Degrees of freedom of the platform.
     pub motion_pattern: MotionPattern,
-    /// The file's own word for the type, e.g. `spatial-suspended`.
+    /// Type in the file's own words, e.g. `spatial-suspended`.
     pub kind: Option<String>,
-    /// World plane of a planar robot; xy when the pattern is spatial.
+    /// World plane of a planar robot; xy for a spatial pattern.
     pub plane: Plane,
     /// Gravity (world, m/s²).
     pub gravity: Option<Vector3<f64>>,
@@ -28,7 +28,7 @@ pub struct Robot {
     pub notes: Vec<String>,
     /// Source of the numbers.
     pub source: Option<Source>,
-    /// Numbers that nobody printed or measured.
+    /// Numbers that were neither published nor measured.
     pub assumptions: Vec<Assumption>,
     /// Mass properties.
     pub platform: Platform,
@@ -93,7 +93,7 @@ pub struct Platform {
     pub damping: Option<f64>,
     /// Damping of its angular velocity, D_rot: moment −D_rot ω (N·m·s/rad).
     pub rotational_damping: Option<f64>,
-    /// Corners of the body, whose convex hull it is (platform frame, m).
+    /// Corners of the body, which is their convex hull (platform frame, m).
     pub hull: Option<Vec<Vector3<f64>>>,
 }
 
@@ -122,7 +122,7 @@ pub struct TravelBox {
 /// One cable, from its frame anchor to its platform anchor.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Cable {
-    /// Name for people, not always unique (see [`Robot::warnings`]): cables are told apart by their order.
+    /// Name, not always unique (see [`Robot::warnings`]): cables are identified by their order.
     pub name: String,
     /// Frame anchor a (world, m); with the effect `pulley` the point D where the cable enters the swivelling pulley.
     pub frame_anchor: Vector3<f64>,
@@ -130,7 +130,7 @@ pub struct Cable {
     pub platform_anchor: Vector3<f64>,
     /// Pulley at the frame.
     pub pulley: Option<Pulley>,
-    /// Side of a pulley that does not swivel (planar robots); `None` where it swivels.
+    /// Side of a pulley that does not swivel (planar robots); `None` if it swivels.
     pub pulley_wrap_side: Option<WrapSide>,
     /// Least wrap angle on the pulley (rad).
     pub pulley_wrap_min: Option<f64>,
@@ -148,15 +148,15 @@ pub struct Cable {
     pub tension_max: Option<f64>,
     /// Stiffness, by E·A or as a constant spring.
     pub stiffness: Option<CableStiffness>,
-    /// Which length the specific stiffness is divided by.
+    /// Length by which the specific stiffness is divided.
     pub stiffness_by: Option<StiffnessBasis>,
-    /// Strained length between winch and outlet that the geometry does not see (m).
+    /// Strained length between winch and outlet that is not part of the geometry (m).
     pub hidden_length: Option<f64>,
     /// Further compliance in series (m/N).
     pub series_compliance: Option<f64>,
-    /// c₁, c₂, … of the polynomial tension f = Σ cₖ εᵏ over the strain (N).
+    /// Coefficients c₁, c₂, … of the polynomial tension f = Σ cₖ εᵏ of the strain (N).
     pub tension_of_strain: Option<Vec<f64>>,
-    /// Loading and unloading branch of the tension over the strain.
+    /// Loading and unloading branch of the tension against strain.
     pub hysteresis: Option<HysteresisTable>,
     /// Numbers of laws of stretch that are plain keys, by these keys (see [`LAWS`](super::LAWS)).
     pub law_numbers: BTreeMap<&'static str, f64>,
@@ -272,7 +272,7 @@ impl Cable {
         self.swivel_axis().map(|axis| *axis)
     }
 
-    /// [`Cable::pulley_swivel_axis`] with what it was turned by.
+    /// [`Cable::pulley_swivel_axis`] with the turn from the given direction.
     pub fn swivel_axis(&self) -> Option<Axis> {
         match self.pulley? {
             Pulley::Whole { swivel_axis, .. } | Pulley::SwivelAxis(swivel_axis) => Some(swivel_axis),
@@ -280,12 +280,12 @@ impl Cable {
         }
     }
 
-    /// Gives the pulley a radius (m); its axis stays.
+    /// Sets the radius of the pulley (m); its axis does not change.
     pub fn set_pulley_radius(&mut self, radius: f64) {
         self.pulley = Pulley::of(Some(radius), self.swivel_axis());
     }
 
-    /// Gives the pulley a swivel axis (unit, world); its radius stays.
+    /// Sets the swivel axis of the pulley (unit, world); its radius does not change.
     pub fn set_pulley_swivel_axis(&mut self, swivel_axis: Vector3<f64>) {
         self.turn_swivel_axis(swivel_axis.into());
     }
@@ -294,12 +294,12 @@ impl Cable {
         self.pulley = Pulley::of(self.pulley_radius(), Some(swivel_axis));
     }
 
-    /// Way from the drum's position to the first pulley (world, m).
+    /// Vector from the drum's position to the first pulley (world, m).
     pub(crate) fn way_to_first_pulley(&self) -> Option<Vector3<f64>> {
         Some(self.winch.first_pulley.unwrap_or(self.frame_anchor) - self.winch.position?)
     }
 
-    /// E·A (N), where it is stated as a stiffness.
+    /// Specific stiffness E·A (N), if it is stated as a stiffness.
     pub fn axial_stiffness(&self) -> Option<f64> {
         match self.stiffness? {
             CableStiffness::Axial(stiffness) => Some(stiffness),
@@ -307,7 +307,7 @@ impl Cable {
         }
     }
 
-    /// 1/(E·A) (1/N), where it is stated as a compliance.
+    /// Specific compliance 1/(E·A) (1/N), if it is stated as a compliance.
     pub fn axial_compliance(&self) -> Option<f64> {
         match self.stiffness? {
             CableStiffness::Compliance(compliance) => Some(compliance),
@@ -315,7 +315,7 @@ impl Cable {
         }
     }
 
-    /// Specific compliance 1/(E·A) (1/N), stated in either way; `None` for a constant spring.
+    /// Specific compliance 1/(E·A) (1/N), stated in either form; `None` for a constant spring.
     pub fn specific_compliance(&self) -> Option<f64> {
         match self.stiffness? {
             CableStiffness::Axial(stiffness) => Some(1.0 / stiffness),
@@ -324,7 +324,7 @@ impl Cable {
         }
     }
 
-    /// Spring constant (N/m) of a cable whose stiffness does not depend on its length.
+    /// Spring constant (N/m), for a stiffness that does not depend on the length.
     pub fn spring_constant(&self) -> Option<f64> {
         match self.stiffness? {
             CableStiffness::Spring(constant) => Some(constant),
@@ -344,7 +344,8 @@ impl Robot {
         self.motion_pattern.dof()
     }
 
-    /// x_A of a pulley that does not swivel, from D to its centre (unit, world); `None` for one that does, or without an axis.
+    /// x_A of a pulley that does not swivel, from D to its centre (unit, world); `None` if it swivels, or without an
+    /// axis.
     pub fn pulley_side(&self, cable: &Cable) -> Option<Vector3<f64>> {
         let side = cable.pulley_wrap_side?;
         Some(self.side_of(&cable.pulley_swivel_axis()?, side))
@@ -372,7 +373,7 @@ impl Robot {
         anchors().fold([first, first], |[low, high], anchor| [low.inf(&anchor), high.sup(&anchor)])
     }
 
-    /// The home pose, or the middle of the frame anchors with the platform unturned when the file gives none.
+    /// The home pose, or the mean of the frame anchors with an unrotated platform if the file states none.
     pub fn home_or_middle(&self) -> Pose {
         self.home.unwrap_or_else(|| {
             let sum: Vector3<f64> = self.cables.iter().map(|cable| cable.frame_anchor).sum();

@@ -1,4 +1,4 @@
-//! The robot file as it stands: keys, types and order of layout version 1. What is said twice or wrongly is found in `reading`.
+//! The keys, types and order of the robot file, layout version 1. `reading` finds repeated and wrong values.
 
 use std::collections::BTreeMap;
 
@@ -12,7 +12,7 @@ use super::stretch::registry::{LawNumber, law_numbers};
 use super::{Assumption, Calibration, DrumSide, HysteresisTable, ReferenceCheck, Source, TensionPlace, WrapSide};
 use crate::geometry::MotionPattern;
 
-/// Keys of a cable that `[cable_defaults]` cannot state: they make it this cable.
+/// Keys of a cable that `[cable_defaults]` cannot state, since they differ from cable to cable.
 pub(super) const OWN_KEYS: [&str; 3] = ["name", "frame_anchor_m", "platform_anchor_m"];
 
 /// Description of a cable robot, layout version 1. SI units, named in the keys; a missing key means unknown, never zero. Planar robots (2T, 1R2T) use 2-vectors in the plane named by `axes`, spatial ones 3-vectors.
@@ -318,7 +318,7 @@ pub(super) struct ObstacleSection {
     pub(super) radius_m: Option<f64>,
 }
 
-/// Adds to the schema of a cable the numbers of laws of stretch.
+/// Adds the numbers of laws of stretch to the schema of a cable.
 fn add_law_numbers(schema: &mut Schema) {
     let Some(properties) = schema.get_mut("properties").and_then(|properties| properties.as_object_mut()) else {
         return;
@@ -340,7 +340,7 @@ fn cable_defaults_schema(generator: &mut SchemaGenerator) -> Schema {
     schema
 }
 
-/// Adds to the schema of the file that platforms that turn need their anchors.
+/// Adds to the schema of the file that the cables of rotating platforms need platform anchors.
 fn require_platform_anchors(schema: &mut Schema) {
     let turns = json_schema!({ "properties": { "motion_pattern": { "enum": ["1R2T", "3R3T"] } } });
     let needs = json_schema!({ "properties": { "cable": { "items": { "required": ["platform_anchor_m"] } } } });

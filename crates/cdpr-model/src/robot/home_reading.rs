@@ -1,4 +1,4 @@
-//! The `[home_pose]` of a robot file. Orientations are kept such that writing and reading gives them back to the last bit.
+//! The `[home_pose]` of a robot file. Orientations are stored so that writing and reading gives the same bits.
 
 use nalgebra::{Quaternion, UnitQuaternion};
 
@@ -7,13 +7,14 @@ use super::reader::{Reader, square};
 use crate::geometry::{MotionPattern, Plane, Pose};
 use crate::reading::{ReadError, Step};
 
-/// Steps per unit in which quaternion components are kept.
+/// Steps per unit to which quaternion components are rounded.
 const ROTATION_GRID: f64 = (1_u64 << 48) as f64;
 
-/// Squares of quaternion components that differ less are equal: far more than rounding, far less than any turn that matters.
+/// Difference of squares of quaternion components below which they count as equal: far more than rounding, far less
+/// than any significant turn.
 const TIE: f64 = 1e-9;
 
-/// The home pose, with the orientation that the motion pattern asks for and no other.
+/// The home pose, with the orientation key that the motion pattern needs and no other.
 pub(super) fn read_home(reader: &Reader<'_>, home: &HomeSection) -> Result<Pose, ReadError> {
     let position = reader.vector(&path("position_m"), &home.position_m)?;
     let (plane, name) = (reader.plane, reader.pattern.name());
@@ -65,19 +66,20 @@ pub(super) fn planar_angle(plane: Plane, rotation: &UnitQuaternion<f64>) -> f64 
     rotation.scaled_axis().dot(&plane.normal())
 }
 
-/// The same orientation by an angle in [−π, π], unchanged when it already is there (rad).
+/// The same orientation by an angle in [−π, π], unchanged if it already is in that range (rad).
 fn principal_angle(plane: Plane, angle: f64) -> f64 {
     if angle.abs() <= std::f64::consts::PI { angle } else { planar_angle(plane, &planar_rotation(plane, angle)) }
 }
 
-/// The rotation with three components of its quaternion rounded to 2⁻⁴⁸ (4e-15) and the largest one following from them.
+/// The rotation with three components of its quaternion rounded to 2⁻⁴⁸ (4e-15), and the largest one computed from
+/// them.
 ///
-/// A matrix and a quaternion turn into each other with rounding errors of 1e-16. The coarser grid absorbs them, so that
-/// what is written as a matrix is read back to the same bits.
+/// A matrix and a quaternion convert to each other with rounding errors of 1e-16. The coarser grid absorbs them, so
+/// that an orientation written as a matrix is read back to the same bits.
 fn rounded(rotation: &UnitQuaternion<f64>) -> UnitQuaternion<f64> {
     let unit = UnitQuaternion::new_normalize(rotation.into_inner());
     let mut components = <[f64; 4]>::from(unit.coords);
-    // of components that are equal, as in quarter turns, rounding must not choose: the last one counts as the largest
+    // among equal components, as in quarter turns, rounding must not choose: the last one counts as the largest
     let larger = |best: usize, next| {
         if components[next] * components[next] > components[best].powi(2) + TIE { next } else { best }
     };
@@ -98,7 +100,8 @@ mod tests {
 
     use super::*;
 
-    /// Quarter, half and third turns have quaternions with equal components, where rounding decides what is largest.
+    /// Quarter, half and third turns have quaternions with equal components, of which rounding could make any the
+    /// largest.
     #[test]
     fn turns_with_equal_quaternion_components_come_back_to_the_bit() {
         let quarters = [0, 1, 2, 3].map(|quarter| f64::from(quarter) * FRAC_PI_2);

@@ -1,20 +1,21 @@
-//! Numbers of a robot that have been identified, and are assumptions no more.
+//! Updates a robot after identification: identified numbers are no longer assumptions.
 
 use super::parameter::Head;
 use super::{Assumption, Calibration, Parameter, ParameterKind, Robot};
 
-/// Ways to say how much a cable stretches: one that is identified takes the place of the others.
+/// Forms of a cable's stiffness: an identified one replaces the others.
 const STRETCH: [ParameterKind; 3] =
     [ParameterKind::AxialStiffness, ParameterKind::Compliance, ParameterKind::SpringConstant];
 
 impl Robot {
-    /// The same with the status of the calibration that its numbers come from.
+    /// The robot with the status of the calibration that produced its numbers.
     #[must_use]
     pub fn with_calibration(&self, status: &str) -> Self {
         Self { calibration: Some(Calibration { status: status.to_owned() }), ..self.clone() }
     }
 
-    /// Takes identified numbers out of the assumptions, those of a list only where all of it was identified; an earlier calibration is none of the robot any more.
+    /// Removes identified numbers from the assumptions, lists only if all their entries were identified, and an earlier
+    /// calibration from the robot.
     pub fn forget_assumptions(&mut self, identified: impl IntoIterator<Item = Parameter>) {
         let mut identified = identified.into_iter().peekable();
         if identified.peek().is_some() {
@@ -29,7 +30,7 @@ impl Robot {
         self.assumptions = left;
     }
 
-    /// Rest of an assumption: of a number that every cable has those of the cables where it was not identified.
+    /// Remaining part of an assumption: for a number of every cable, the cables for which it was not identified.
     fn still_assumed(&self, assumption: &Assumption, identified: &[Parameter]) -> Option<Assumption> {
         let as_it_is = || Some(assumption.clone());
         let Some(kind) = ParameterKind::ALL.into_iter().find(|kind| kind.key() == assumption.plain_key()) else {
@@ -57,7 +58,7 @@ impl Robot {
     }
 }
 
-/// True where numbers of one kind say what those of another do.
+/// True if numbers of one kind replace those of the other.
 fn says(one: ParameterKind, other: ParameterKind) -> bool {
     let is_wrench = one == ParameterKind::Wrench && matches!(other, ParameterKind::Force | ParameterKind::Moment);
     one == other || is_wrench || (STRETCH.contains(&one) && STRETCH.contains(&other))
@@ -87,7 +88,7 @@ mod tests {
         assert_eq!(assumed(&["platform.mass_kg", "gravity_m_s2"], "mass"), ["gravity_m_s2"]);
     }
 
-    /// One coordinate of an anchor leaves the other assumed.
+    /// An identified coordinate of an anchor leaves the other one assumed.
     #[test]
     fn a_list_is_assumed_until_all_of_it_is_identified() {
         let key = "cable.frame_anchor_m";

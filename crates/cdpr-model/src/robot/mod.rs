@@ -1,4 +1,4 @@
-//! A robot as data: geometry, cables, limits and where the numbers come from.
+//! A robot as data: geometry, cables, limits and the sources of the numbers.
 
 mod assumption;
 #[cfg(feature = "files")]

@@ -1,27 +1,28 @@
-//! Parts of a cable that several keys of the file make together: they are whole, or it is said which key is there alone.
+//! Parts of a cable that several keys of the file state together: complete, or with the only key that is stated.
 
 use super::Axis;
 
 /// Pulley at the frame.
 ///
-/// Files may state a radius without an axis (the place can be found from the anchor of the point model) or an axis without a radius; no effect reads either.
+/// A file may state a radius without an axis (the position can be found from the anchor of the point model) or an axis
+/// without a radius; no effect uses either.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Pulley {
-    /// Pulley of a known size and place.
+    /// Pulley with radius and axis.
     Whole {
         /// r_p (m).
         radius: f64,
         /// Unit vector along the swivel axis, from the winch into the pulley (world).
         swivel_axis: Axis,
     },
-    /// Radius alone (m).
+    /// Only the radius (m).
     Radius(f64),
-    /// Unit vector along the swivel axis alone (world).
+    /// Only the unit vector along the swivel axis (world).
     SwivelAxis(Axis),
 }
 
 impl Pulley {
-    /// The pulley that a radius (m) and a swivel axis make; `None` without either.
+    /// The pulley with a radius (m) and a swivel axis, as far as stated; `None` without either.
     pub(crate) fn of(radius: Option<f64>, swivel_axis: Option<Axis>) -> Option<Self> {
         match (radius, swivel_axis) {
             (Some(radius), Some(swivel_axis)) => Some(Self::Whole { radius, swivel_axis }),
@@ -32,7 +33,7 @@ impl Pulley {
     }
 }
 
-/// Stiffness of a cable in one of the three ways that files know.
+/// Stiffness of a cable, in one of the three forms of robot files.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CableStiffness {
     /// Specific stiffness k_F = E·A (N).

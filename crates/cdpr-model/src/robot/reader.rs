@@ -1,4 +1,4 @@
-//! The document of a robot file as its sections are read.
+//! The document of a robot file while its sections are read.
 
 use nalgebra::Vector3;
 
@@ -6,7 +6,7 @@ use super::file::RobotFile;
 use crate::geometry::{MotionPattern, Plane};
 use crate::reading::{ReadError, Step, TomlDocument};
 
-/// The document with what every vector of it depends on.
+/// The document with the motion pattern and plane on which every vector depends.
 pub(super) struct Reader<'a> {
     pub(super) document: &'a TomlDocument<'a>,
     pub(super) pattern: MotionPattern,
@@ -44,7 +44,7 @@ impl<'a> Reader<'a> {
         }
     }
 
-    /// A vector of the file: two components in the plane, or three.
+    /// A vector of the file: two components in the plane for planar robots, otherwise three.
     pub(super) fn vector(&self, path: &[Step<'_>], values: &[f64]) -> Result<Vector3<f64>, ReadError> {
         match (self.pattern.is_planar(), values) {
             (true, &[first, second]) => Ok(self.plane.embed([first, second])),

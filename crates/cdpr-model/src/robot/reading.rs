@@ -1,4 +1,4 @@
-//! From a robot file to a [`Robot`]: what types alone cannot check is checked here, with the place of the mistake.
+//! From a robot file to a [`Robot`]: checks the conditions that types cannot express, with the position of each error.
 
 use std::path::Path;
 
@@ -17,7 +17,7 @@ use super::{ExternalWrench, Platform, ReferenceCheck, Robot, TravelBox};
 use crate::geometry::{MotionPattern, Wrench};
 use crate::reading::{FileError, Gathering, ReadError, Size, Step, TomlDocument, bytes_of, text_from_bytes};
 
-/// The layout this version reads and writes.
+/// The layout version that is read and written.
 pub(super) const LAYOUT_VERSION: u32 = 1;
 
 /// Relative asymmetry of an inertia matrix that counts as rounding of its printed digits.
@@ -35,7 +35,7 @@ impl Robot {
         reader.robot(file)
     }
 
-    /// As [`Robot::from_toml`], from bytes that may not even be text.
+    /// As [`Robot::from_toml`], from bytes that may not be text.
     pub fn from_toml_bytes(bytes: &[u8], file_name: &str) -> Result<Self, ReadError> {
         Self::from_toml(text_from_bytes(bytes, Size::Text, file_name)?, file_name)
     }
@@ -47,7 +47,7 @@ impl Robot {
     }
 }
 
-/// Refuses other layouts before their keys are found unknown.
+/// Refuses other layouts before their keys are reported as unknown.
 fn check_layout_version(document: &TomlDocument<'_>) -> Result<(), ReadError> {
     let path = [Step::Key("layout_version")];
     match document.value(&path) {
@@ -60,7 +60,7 @@ fn check_layout_version(document: &TomlDocument<'_>) -> Result<(), ReadError> {
                 .error_at(&path, "robot::layout-version", message)
                 .with_help(format!("write `layout_version = {LAYOUT_VERSION}`, or use a newer cdpr")))
         }
-        // a wrong type is reported with all other types
+        // a wrong type is reported with those of other keys
         Some(_) => Ok(()),
     }
 }
@@ -173,7 +173,7 @@ impl Reader<'_> {
         Ok(TravelBox { min, max, note: section.note })
     }
 
-    /// Lists of reference checks have as many entries as the robot asks for.
+    /// Checks that the lists of reference checks have the number of entries that the robot needs.
     fn check_references(&self, checks: &[ReferenceCheck], cable_count: usize) -> Result<(), ReadError> {
         let (translations, dof) = (self.pattern.translations(), self.pattern.dof());
         for (index, check) in checks.iter().enumerate() {

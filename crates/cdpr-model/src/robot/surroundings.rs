@@ -1,20 +1,20 @@
-//! Bodies that a cable can touch: obstacles in the world, and the body of the platform.
+//! Bodies that a cable could touch: obstacles in the world, and the body of the platform.
 
 use nalgebra::Vector3;
 
-/// Body in the world that cables shall not touch.
+/// Body in the world that cables must not touch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Obstacle {
-    /// Name for people.
+    /// Name of the obstacle.
     pub name: String,
-    /// Shape and place (world, m).
+    /// Shape and position (world, m).
     pub shape: ObstacleShape,
 }
 
 /// The shape of an obstacle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum ObstacleShape {
-    /// A box along the world's axes; in a planar robot it is as deep as you like.
+    /// A box along the world's axes; for a planar robot its extent along the normal has no effect.
     Box {
         /// Lower corner (world, m).
         min: Vector3<f64>,

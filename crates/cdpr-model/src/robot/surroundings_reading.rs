@@ -1,4 +1,4 @@
-//! Obstacles and bodies from a robot file, and back.
+//! Obstacles and the platform's body: read from a robot file and written to it.
 
 use nalgebra::Vector3;
 
@@ -7,7 +7,7 @@ use super::reader::Reader;
 use super::{Obstacle, ObstacleShape, Robot};
 use crate::reading::{ReadError, Step};
 
-/// Most points of a platform's body, and most obstacles: criteria look at every pair.
+/// Largest number of corners of a platform's body, and of obstacles: criteria check every pair.
 const LIMIT: usize = 256;
 
 /// The obstacles of a file.
@@ -61,7 +61,7 @@ fn obstacle(reader: &Reader<'_>, index: usize, section: &ObstacleSection) -> Res
     Ok(Obstacle { name: section.name.clone(), shape })
 }
 
-/// The corners of the platform's body, which span a volume, or an area in a plane.
+/// The corners of the platform's body; they must span a volume, or an area in a plane.
 pub(super) fn read_hull(reader: &Reader<'_>, points: &[Vec<f64>]) -> Result<Vec<Vector3<f64>>, ReadError> {
     let path = [Step::Key("platform"), Step::Key("hull_m")];
     let least = reader.pattern.translations() + 1;

@@ -57,7 +57,7 @@ impl CableReader<'_> {
         Ok(winch)
     }
 
-    /// Friction of a drum that stands is no less than that of one that turns, and falls to it over a known speed.
+    /// Checks that static friction is not below sliding friction, and that it comes with a Stribeck speed.
     fn check_friction(&self, winch: &CableWinch) -> Result<(), ReadError> {
         let sliding = winch.coulomb_friction.unwrap_or(0.0);
         match (winch.static_friction, winch.stribeck_speed) {
@@ -81,7 +81,8 @@ impl CableReader<'_> {
         }
     }
 
-    /// The axis of a drum need not lie in the plane of a planar robot: three components are accepted there too.
+    /// A vector with three components, or with two in the plane of a planar robot: the axis of a drum need not lie in
+    /// that plane.
     fn spatial(&self, key: &str, values: Option<&[f64]>) -> Result<Option<Vector3<f64>>, ReadError> {
         match values {
             None => Ok(None),

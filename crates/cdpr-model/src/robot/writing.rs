@@ -1,4 +1,4 @@
-//! From a [`Robot`] to a robot file: the keys in the order of the layout, one to a line.
+//! From a [`Robot`] to a robot file: the keys in the order of the layout, one per line.
 
 use std::collections::BTreeMap;
 
@@ -12,10 +12,10 @@ use super::stretch::registry::law_numbers;
 use super::{Cable, ExternalWrench, Platform, Robot};
 use crate::geometry::{MotionPattern, Plane, Pose};
 
-/// First line of every file written.
+/// First line of every written file.
 const HEADING: &str = "# Cable robot description, layout version 1. Units are in the key names.\n";
 
-/// The keys above the first table, but for the notes.
+/// The keys above the first table, without the notes.
 #[derive(Serialize)]
 struct TopKeys<'a> {
     layout_version: u32,
@@ -31,8 +31,9 @@ struct TopKeys<'a> {
 impl Robot {
     /// The robot as a file that [`Robot::from_toml`] reads back to the same robot.
     ///
-    /// A planar robot is written by its components in the plane, a point platform without orientation. Every cable states its own
-    /// keys, those too that a file had under `[cable_defaults]`: after a calibration they may differ.
+    /// The vectors of a planar robot are written by their components in the plane, a point platform without
+    /// orientation. Every cable states its own keys, including those from `[cable_defaults]`: after a calibration they
+    /// may differ.
     pub fn to_toml(&self) -> String {
         let mut text = HEADING.to_owned() + &lines(&self.top_keys());
         if !self.notes.is_empty() {
@@ -83,7 +84,7 @@ impl Robot {
         }
     }
 
-    /// A vector as the file states it.
+    /// Components of a vector as the file states it.
     pub(super) fn components(&self, vector: &Vector3<f64>) -> Vec<f64> {
         match self.motion_pattern.is_planar() {
             true => self.plane.components(vector).to_vec(),
@@ -91,7 +92,7 @@ impl Robot {
         }
     }
 
-    /// A vector that may stand out of the plane of a planar robot.
+    /// Components of a vector that may leave the plane of a planar robot.
     fn spatial_components(&self, vector: &Vector3<f64>) -> Vec<f64> {
         match self.motion_pattern.is_planar() && self.plane.normal().dot(vector) == 0.0 {
             true => self.components(vector),
@@ -195,24 +196,24 @@ impl Robot {
             tension_at: cable.tension_at,
             linear_density_kg_per_m: cable.linear_density,
             finite_elements: cable.finite_elements,
-            // lines of their own, by the keys of their laws
+            // written as lines of their own, by the keys of their laws
             law_numbers: BTreeMap::new(),
         }
     }
 }
 
-/// Numbers of laws of stretch that a cable states, one to a line.
+/// Numbers of laws of stretch that a cable states, one per line.
 fn law_lines(cable: &Cable) -> String {
     let stated = law_numbers().filter_map(|number| Some((number.key, cable.law_numbers.get(number.key)?)));
     stated.map(|entry| lines(&BTreeMap::from([entry]))).collect()
 }
 
-/// The keys of a flat section, one to a line.
+/// The keys of a section without tables, one per line.
 fn lines(section: &impl Serialize) -> String {
     toml::to_string(section).expect("text, numbers and lists of them are TOML")
 }
 
-/// The angle of a planar rotation (rad) that is read back to the same bits, if there is one next to the computed angle.
+/// The angle of a planar rotation (rad) that is read back to the same bits, if there is one near the computed angle.
 fn exact_angle(plane: Plane, rotation: &UnitQuaternion<f64>) -> f64 {
     let computed = planar_angle(plane, rotation);
     let neighbours =

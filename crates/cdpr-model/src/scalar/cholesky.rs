@@ -2,24 +2,25 @@
 
 use super::{Kernel, LANES, Lanes, Line, dispatch};
 
-/// Columns that are made side by side.
+/// Number of columns that are computed side by side.
 const PANEL: usize = 4;
 
-/// Lower triangle of a symmetric matrix by columns, later its Cholesky factor L with the inverse of its diagonal.
+/// Lower triangle of a symmetric matrix by columns, after factorization its Cholesky factor L with the inverse of its
+/// diagonal.
 #[derive(Clone, Debug)]
 pub struct LowerTriangle {
     count: usize,
-    /// Column by column, rows rounded up to whole lanes; what stands above the diagonal means nothing.
+    /// Column by column, with rows rounded up to whole lanes; entries above the diagonal are arbitrary.
     lines: Vec<Line>,
 }
 
 impl LowerTriangle {
-    /// Zeros.
+    /// A matrix of zeros.
     pub fn new(count: usize) -> Self {
         Self { count, lines: vec![Line::default(); count * count.div_ceil(LANES)] }
     }
 
-    /// Lines of a column.
+    /// Number of lines per column.
     pub fn groups(&self) -> usize {
         self.count.div_ceil(LANES)
     }
@@ -28,7 +29,7 @@ impl LowerTriangle {
         self.lines[column * self.groups() + row / LANES].0[row % LANES]
     }
 
-    /// Sets every entry to that of a symmetric matrix, whose columns tell the entry of a row.
+    /// Sets every entry to that of a symmetric matrix: `columns` gives for a column the function from row to entry.
     #[inline]
     pub fn fill<C: Fn(usize) -> f64>(&mut self, columns: impl Fn(usize) -> C) {
         let (count, groups) = (self.count, self.groups());
@@ -42,7 +43,7 @@ impl LowerTriangle {
         }
     }
 
-    /// Column by column, for kernels.
+    /// All lines, column by column, for kernels.
     pub fn lines_mut(&mut self) -> &mut [Line] {
         &mut self.lines
     }
@@ -123,7 +124,8 @@ impl Kernel for Solve<'_> {
     }
 }
 
-/// [`LowerTriangle::factorize`] within a kernel, of lines as those of a triangle of so many columns.
+/// [`LowerTriangle::factorize`] within a kernel, for the lines of a triangle with `count` columns. False if it is not
+/// positive definite.
 #[inline(always)]
 pub fn factorize<L: Lanes>(l: L, count: usize, lines: &mut [Line]) -> bool {
     let groups = count.div_ceil(LANES);
@@ -155,7 +157,7 @@ pub fn factorize<L: Lanes>(l: L, count: usize, lines: &mut [Line]) -> bool {
     true
 }
 
-/// Subtracts the products of all columns before a panel from it.
+/// Subtracts the products of all columns before a panel from the panel.
 #[inline(always)]
 fn subtract_before<L: Lanes>(l: L, (first, width, groups): (usize, usize, usize), lines: &mut [Line]) {
     let (before, panel) = lines.split_at_mut(first * groups);
@@ -180,7 +182,8 @@ mod tests {
     use super::*;
     use nalgebra::{Cholesky, DMatrix, DVector};
 
-    /// Whole lanes and parts of one, whole panels and parts of one: the solution is that of nalgebra to rounding, and indefinite matrices have none.
+    /// Whole lanes and parts of one, whole panels and parts of one: the solution equals that of nalgebra to rounding,
+    /// and indefinite matrices have none.
     #[test]
     fn the_factor_solves_as_another_one_does() {
         for count in [1, 3, 4, 6, 8, 14, 24, 31, 62] {

@@ -1,15 +1,15 @@
-//! Decompositions of matrices of any size, bounded in their iterations; none where a number is not finite.
+//! Decompositions of matrices of any size, with bounded iterations; `None` if a number is not finite.
 //!
-//! The plain ones of nalgebra go on for ever when a number is not finite or overflows on the way. Here such matrices have no
+//! The functions of nalgebra do not end if a number is not finite or overflows in between. Here such matrices have no
 //! decomposition; others are scaled to entries of size one first.
 
 use cdpr_core::scalar::eigenvalue::magnitude;
 use nalgebra::{Complex, DMatrix, Dyn, SVD, Schur, SymmetricEigen};
 
-/// Far more than any finite matrix needs.
+/// Limit of iterations, far more than any finite matrix needs.
 const ITERATIONS: usize = 1000;
 
-/// Singular value decomposition; singular values descend.
+/// Singular value decomposition, with singular values in descending order.
 pub fn svd(matrix: DMatrix<f64>, left: bool, right: bool) -> Option<SVD<f64, Dyn, Dyn>> {
     let scale = magnitude(&matrix)?;
     if matrix.is_empty() {
@@ -20,7 +20,7 @@ pub fn svd(matrix: DMatrix<f64>, left: bool, right: bool) -> Option<SVD<f64, Dyn
     Some(decomposition)
 }
 
-/// Eigenvalues and eigenvectors of a symmetric matrix, of which the lower triangle is read.
+/// Eigenvalues and eigenvectors of a symmetric matrix; only its lower triangle is read.
 pub fn symmetric_eigen(matrix: DMatrix<f64>) -> Option<SymmetricEigen<f64, Dyn>> {
     let scale = magnitude(&matrix)?;
     if matrix.is_empty() {
@@ -41,7 +41,7 @@ pub fn eigenvalues(matrix: DMatrix<f64>) -> Option<Vec<Complex<f64>>> {
     Some(schur.complex_eigenvalues().iter().map(|value| value * scale).collect())
 }
 
-/// The smallest eigenvalue of a symmetric matrix; NaN where it has none.
+/// The smallest eigenvalue of a symmetric matrix; NaN if it has no decomposition.
 pub(crate) fn smallest_eigenvalue(matrix: DMatrix<f64>) -> f64 {
     symmetric_eigen(matrix).map_or(f64::NAN, |decomposition| decomposition.eigenvalues.min())
 }
@@ -59,7 +59,7 @@ mod tests {
         }
         for size in [1e300, 1.0, 1e-300, 5e-324, 0.0] {
             let matrix = DMatrix::from_fn(6, 6, |i, j| size * if i == j { 2.0 } else { 1.0 });
-            // the ones have eigenvalues 6 and five times 0, the identity adds 1
+            // the matrix of ones has eigenvalues 6 and five times 0, the identity adds 1
             let values = svd(matrix.clone(), false, false).expect("is finite").singular_values;
             let smallest = smallest_eigenvalue(matrix);
             if size >= 1e-300 {

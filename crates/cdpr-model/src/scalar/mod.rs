@@ -1,4 +1,4 @@
-//! The number types that one formula serves (those of [`cdpr_core::scalar`]), and tables of them.
+//! The number types for which formulas are generic (those of [`cdpr_core::scalar`]), and tables of them.
 
 pub mod cholesky;
 pub mod decomposition;

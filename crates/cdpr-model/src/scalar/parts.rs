@@ -1,13 +1,13 @@
-//! Batches spread over threads.
+//! Batches divided among threads.
 
 use super::LANES;
 
-/// Items of one part: enough work for a thread to be worth waking, few enough that all threads end together.
+/// Number of items of one part: enough work to be worth a thread, few enough that all threads end together.
 #[cfg(feature = "parallel")]
 const PART: usize = 2048;
 
-/// Runs `work(state, first item, entries)` over all items, `per_group` entries for each eight of them, in parts on several threads
-/// where the feature `parallel` and the number of items allow; each thread has a copy of the state. What the work writes must
+/// Runs `work(state, first item, entries)` over all items, with `per_group` entries for every eight of them. With the
+/// feature `parallel` and many items it runs in parts on several threads, each with a copy of the state. Results must
 /// depend on the items alone.
 pub fn over_parts<S, T>(
     entries: &mut [T],
@@ -38,7 +38,7 @@ pub fn chunk_for_threads(alone: usize) -> usize {
     alone
 }
 
-/// Results of `work(0)` to `work(count - 1)` in this order, computed on several threads where the feature `parallel` allows.
+/// Results of `work(0)` to `work(count - 1)` in this order, computed on several threads.
 #[cfg(feature = "parallel")]
 pub fn map_all<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
     use rayon::prelude::*;

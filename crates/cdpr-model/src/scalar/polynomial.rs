@@ -10,7 +10,8 @@ pub(crate) fn derivative(coefficients: &[f64]) -> Vec<f64> {
     coefficients.iter().enumerate().skip(1).map(|(k, c)| c * k as f64).collect()
 }
 
-/// Changes of sign in 0..`end`, in rising order: between two such places of the derivative there is at most one.
+/// Roots at which the sign changes, in 0..`end`, in rising order: between two sign changes of the derivative there is
+/// at most one.
 pub fn sign_changes(coefficients: &[f64], end: f64) -> Vec<f64> {
     if coefficients.len() < 2 {
         return Vec::new();
@@ -29,11 +30,11 @@ pub fn sign_changes(coefficients: &[f64], end: f64) -> Vec<f64> {
     found
 }
 
-/// Number at which a statement that holds at `from` and not at `to` stops to hold, to the last digit.
+/// Number at which a condition that holds at `from` and not at `to` ceases to hold, to the last digit.
 pub(crate) fn bisect(mut from: f64, mut to: f64, holds: impl Fn(f64) -> bool) -> f64 {
     loop {
         let middle = 0.5 * (from + to);
-        // neighbouring numbers have no middle
+        // neighbouring numbers have no number between them
         if !(from < middle && middle < to) {
             return from;
         }
@@ -48,7 +49,7 @@ pub(crate) fn bisect(mut from: f64, mut to: f64, holds: impl Fn(f64) -> bool) ->
 mod tests {
     use super::*;
 
-    /// (x − 1)(x − 2)(x − 3) and (x − 1)²(x − 2), which changes its sign but once.
+    /// (x − 1)(x − 2)(x − 3) and (x − 1)²(x − 2), of which the latter changes its sign only once.
     #[test]
     fn sign_changes_are_the_roots_of_odd_order() {
         let found = sign_changes(&[-6.0, 11.0, -6.0, 1.0], 2.5);

@@ -1,10 +1,11 @@
-//! Numbers of many items, eight items side by side, so that a vector register takes the same number of eight items at once.
+//! Numbers of many items, eight items side by side, so that a vector register loads the same number of eight items at
+//! once.
 
 use super::line::Line;
 use super::transposed::{FromItems, ToItems};
 use super::{LANES, dispatch};
 
-/// A table with the same rows for every item (mostly a pose), its items in groups of eight.
+/// A table with the same rows for every item (mostly a pose), with the items in groups of eight.
 ///
 /// ```
 /// use cdpr::scalar::LaneTable;
@@ -19,11 +20,11 @@ use super::{LANES, dispatch};
 pub struct LaneTable {
     rows: usize,
     len: usize,
-    /// Row by row within a group, group by group.
+    /// Lines row by row within a group, group by group.
     lines: Vec<Line>,
 }
 
-/// Equal numbers of equal items; what fills the last group does not count.
+/// Tables are equal if they have equal numbers for equal items; padding of the last group is not compared.
 impl PartialEq for LaneTable {
     fn eq(&self, other: &Self) -> bool {
         let same_size = (self.rows, self.len) == (other.rows, other.len);
@@ -47,34 +48,35 @@ impl LaneTable {
         self.len
     }
 
-    /// True without items.
+    /// True if there are no items.
     pub fn is_empty(&self) -> bool {
         self.len == 0
     }
 
-    /// Changes the number of items; new ones are zeros. Memory that was claimed once is kept.
+    /// Changes the number of items; new ones are zeros. Memory that was claimed before is kept.
     pub fn resize(&mut self, len: usize) {
         self.lines.resize(len.div_ceil(LANES) * self.rows, Line::default());
         self.len = len;
     }
 
-    /// Another number of rows and of items, without a promise about the numbers.
+    /// Changes the numbers of rows and of items; the numbers in the table are then arbitrary.
     pub fn reshape(&mut self, rows: usize, len: usize) {
         self.rows = rows;
         self.resize(len);
     }
 
-    /// One number; panics where there is no such row or item.
+    /// One number; panics if there is no such row or item.
     pub fn get(&self, row: usize, item: usize) -> f64 {
         self.line(row, item).0[item % LANES]
     }
 
-    /// All numbers of one row, item by item; panics where there is no such row.
+    /// All numbers of one row, item by item; panics if there is no such row.
     pub fn row(&self, row: usize) -> impl Iterator<Item = f64> + '_ {
         (0..self.len).map(move |item| self.get(row, item))
     }
 
-    /// Copies the numbers of one item out; panics unless there is one place per row, or where there is no such item.
+    /// Copies the numbers of one item to `numbers`; panics unless it has one place per row, or if there is no such
+    /// item.
     pub fn read(&self, item: usize, numbers: &mut [f64]) {
         assert_eq!(numbers.len(), self.rows, "one place per row");
         for (row, number) in numbers.iter_mut().enumerate() {
@@ -82,7 +84,7 @@ impl LaneTable {
         }
     }
 
-    /// Sets the numbers of one item; panics unless there is one per row, or where there is no such item.
+    /// Sets the numbers of one item; panics unless there is one per row, or if there is no such item.
     pub fn write(&mut self, item: usize, numbers: &[f64]) {
         assert_eq!(numbers.len(), self.rows, "one number per row");
         assert!(item < self.len, "item {item} of {}", self.len);
@@ -124,7 +126,7 @@ impl LaneTable {
         &self.lines[item / LANES * self.rows + row]
     }
 
-    /// Number of groups of eight items, the last one perhaps not full.
+    /// Number of groups of eight items; the last one may be partly filled.
     pub fn groups(&self) -> usize {
         self.len.div_ceil(LANES)
     }
@@ -135,7 +137,7 @@ impl LaneTable {
         &self.lines[group * self.rows..(group + 1) * self.rows]
     }
 
-    /// The rows of one group of eight items, to be written.
+    /// The rows of one group of eight items, mutable.
     #[inline]
     pub fn group_mut(&mut self, group: usize) -> &mut [Line] {
         &mut self.lines[group * self.rows..(group + 1) * self.rows]
@@ -146,7 +148,7 @@ impl LaneTable {
         &self.lines
     }
 
-    /// All lines, group by group, for threads that share the work.
+    /// All lines, group by group, to be divided among threads.
     pub(crate) fn lines_mut(&mut self) -> &mut [Line] {
         &mut self.lines
     }

@@ -1,31 +1,32 @@
-//! The triangular factor of tall matrices, some rows at a time.
+//! The triangular factor R of tall matrices, computed from some rows at a time.
 
 use nalgebra::DMatrix;
 
 use super::{Kernel, LANES, Lanes, dispatch};
 
-/// Rows that join the factor together: few enough that they stay in the fastest memory.
+/// Number of rows that are added to the factor together: few enough that they stay in the fastest memory.
 const ROWS: usize = 32;
 
-/// Upper triangular R with RᵀR = JᵀJ for the rows J so far, by Householder reflections; the signs of its rows are open.
+/// Upper triangular R with RᵀR = JᵀJ for all rows J so far, by Householder reflections; the signs of its rows are
+/// arbitrary.
 pub struct TriangularFactor {
     columns: usize,
     /// Row-major, rows rounded up to whole lanes; zeros below the diagonal.
     entries: Vec<[f64; LANES]>,
-    /// Rows that have not joined yet, the rest zeros.
+    /// Rows that are not yet part of the factor; the remaining rows are zeros.
     waiting: Vec<[f64; LANES]>,
     waiting_rows: usize,
 }
 
 impl TriangularFactor {
-    /// Without rows.
+    /// A factor without rows.
     pub fn new(columns: usize) -> Self {
         let blocks = columns.div_ceil(LANES);
         let zeros = |rows: usize| vec![[0.0; LANES]; rows * blocks];
         Self { columns, entries: zeros(columns), waiting: zeros(ROWS), waiting_rows: 0 }
     }
 
-    /// Of all rows of a matrix.
+    /// The factor of all rows of a matrix.
     pub fn of(matrix: &DMatrix<f64>) -> Self {
         let mut factor = Self::new(matrix.ncols());
         matrix.row_iter().for_each(|row| factor.push(row.iter().copied()));
@@ -43,14 +44,14 @@ impl TriangularFactor {
         }
     }
 
-    /// Adds the rows of a diagonal matrix that are not zero.
+    /// Adds the rows of a diagonal matrix with entries other than zero.
     pub fn push_diagonal(&mut self, diagonal: impl Iterator<Item = f64>) {
         for (place, entry) in diagonal.enumerate().filter(|(_, entry)| *entry != 0.0) {
             self.push((0..self.columns).map(|column| if column == place { entry } else { 0.0 }));
         }
     }
 
-    /// R.
+    /// Returns R.
     pub fn into_matrix(mut self) -> DMatrix<f64> {
         self.join();
         let stride = self.columns.next_multiple_of(LANES);
@@ -88,18 +89,18 @@ impl Kernel for Join<'_> {
     }
 }
 
-/// Turns a column of the joining rows into the diagonal of the factor.
+/// Householder reflection that moves a column of the added rows to the diagonal of the factor.
 struct Reflection {
-    /// Direction: the entry of the factor's row, then those of the joining rows.
+    /// Direction: the entry in the factor's row, then those in the added rows.
     head: f64,
     tail: [f64; ROWS],
-    /// Two over the square of the direction's length.
+    /// 2 divided by the squared length of the direction.
     scale: f64,
     diagonal: f64,
 }
 
 impl Reflection {
-    /// `None` if the column of the joining rows is zero.
+    /// `None` if the column of the added rows is zero.
     #[inline]
     fn of(own: &[[f64; LANES]], joining: &[[f64; LANES]], column: usize) -> Option<Self> {
         let (block, lane) = (column / LANES, column % LANES);
@@ -129,7 +130,7 @@ impl Reflection {
         }
     }
 
-    /// Some blocks of columns side by side: each sum waits for its own earlier rows.
+    /// Reflects several blocks of columns side by side, since each sum waits for its own earlier rows.
     #[inline(always)]
     fn apply_to<L: Lanes, const B: usize>(
         &self,
@@ -162,7 +163,7 @@ impl Reflection {
         B
     }
 
-    /// Sets its own column to where it leaves it but for rounding.
+    /// Sets its own column to the exact result of the reflection, without rounding.
     #[inline]
     fn clear(&self, own: &mut [[f64; LANES]], joining: &mut [[f64; LANES]], column: usize) {
         let (block, lane) = (column / LANES, column % LANES);
@@ -177,7 +178,8 @@ impl Reflection {
 mod tests {
     use super::*;
 
-    /// More and fewer rows than columns, columns that are zero or repeat others, whole lanes and parts of one: RᵀR = JᵀJ to rounding.
+    /// More and fewer rows than columns, columns that are zero or repeat others, whole lanes and parts of one: RᵀR =
+    /// JᵀJ to rounding.
     #[test]
     fn the_factor_has_the_products_of_all_rows() {
         for (rows, columns) in [(1, 1), (3, 8), (40, 7), (64, 9), (100, 31), (150, 62)] {

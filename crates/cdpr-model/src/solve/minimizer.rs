@@ -1,4 +1,4 @@
-//! Ways to the least squares of parameters within bounds: what their steps are.
+//! Methods for the least squares of parameters within bounds, by the kind of their steps.
 
 use cdpr_core::solve::bounded::{Room, bounded_step, clamped, stopped};
 use nalgebra::{Cholesky, DMatrix, DVector};
@@ -7,14 +7,14 @@ use super::{Control, OF_SINGULAR, StepRule};
 
 use crate::reading::keywords;
 
-/// Method that finds the least squares of parameters. All end at the same optimum; they differ in the way there.
+/// Method for the least squares of parameters. All methods end at the same optimum; they differ in their steps.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Minimizer {
     /// Damped Gauss–Newton steps (Levenberg 1944, Marquardt 1963), bounds by an active set.
     #[default]
     LevenbergMarquardt,
-    /// Gauss–Newton steps, halved until they help; bounds by an active set.
+    /// Gauss–Newton steps, halved until the cost falls; bounds by an active set.
     GaussNewton,
     /// Powell's dogleg in a trust region (Nocedal and Wright 2006, section 4.1), bounds by an active set.
     Dogleg,
@@ -30,29 +30,30 @@ pub trait NormalSystem {
     /// Half the second derivative of the cost by two parameters.
     fn entry(&self, i: usize, j: usize) -> f64;
 
-    /// The same by one parameter and any other.
+    /// Half the second derivatives of the cost by parameter `j` and any other.
     #[inline]
     fn column(&self, j: usize) -> impl Fn(usize) -> f64 {
         move |i| self.entry(i, j)
     }
 
-    /// The damped step of the parameters that are not held, zeros for the others; `None` if it is not determined.
+    /// Writes the damped step of the parameters that are not held, zeros for the others; `None` if it is not
+    /// determined.
     fn damped(&self, held: &[bool], damping: f64, step: &mut [f64]) -> Option<()>;
 }
 
-/// Room and units of the parameters.
+/// Distances to the bounds, and scales, of the parameters.
 #[derive(Clone, Copy)]
 pub struct Surroundings<'a> {
-    /// Ways to the bounds.
+    /// Differences to the lower and upper bound of each parameter.
     pub room: &'a [Room],
-    /// Metres that one unit of each parameter is worth.
+    /// Scale of each parameter: the length that one unit of it corresponds to (m).
     pub scale: &'a [f64],
 }
 
 keywords!(Minimizer: LevenbergMarquardt = "levenberg-marquardt", GaussNewton = "gauss-newton", Dogleg = "dogleg", TrustRegion = "trust-region");
 
 impl Minimizer {
-    /// Rule by which the loop shortens its steps.
+    /// Rule by which the descent loop shortens the method's steps.
     pub fn rule(self) -> StepRule {
         match self {
             Self::LevenbergMarquardt => StepRule::Damping,
@@ -61,8 +62,8 @@ impl Minimizer {
         }
     }
 
-    /// Writes its step within the bounds. Returns whether a region or a bound cut it; `None` if the equations do not determine it. `held` is
-    /// scratch memory.
+    /// Writes the method's step within the bounds. Returns true if a trust region or a bound shortened it, `None` if
+    /// the equations do not determine it. `held` is scratch memory.
     #[inline]
     pub fn step(
         self,
@@ -93,11 +94,11 @@ impl Minimizer {
         }
     }
 
-    /// Share of the cost that a step promises to remove.
+    /// Predicted decrease of the cost by a step, as a fraction of the cost.
     pub fn gain(self, system: &impl NormalSystem, step: &[f64], cost: f64) -> f64 {
         let slope = -step.iter().enumerate().map(|(k, step)| step * system.gradient(k)).sum::<f64>();
         if self.rule() != StepRule::TrustRegion {
-            // 2 · slope − bend, and both are the same for a whole step
+            // 2 · slope − bend, and both are equal for a whole step
             return slope / cost;
         }
         let along = |i: usize| step.iter().enumerate().map(|(j, step)| step * system.entry(i, j)).sum::<f64>();
@@ -106,24 +107,24 @@ impl Minimizer {
     }
 }
 
-/// Gauss–Newton's step, regularised where directions are open.
+/// Writes the Gauss–Newton step, regularized if some directions are not determined.
 fn newton(system: &impl NormalSystem, held: &[bool], step: &mut [f64]) -> Option<()> {
     [0.0, OF_SINGULAR, 1e3 * OF_SINGULAR].into_iter().find_map(|damping| system.damped(held, damping, step))
 }
 
-/// Size of a step: its largest entry (m).
+/// Size of a step: its largest entry in scaled units (m).
 pub fn size(step: &[f64], scale: &[f64]) -> f64 {
     step.iter().zip(scale).map(|(step, scale)| (step * scale).abs()).fold(0.0, f64::max)
 }
 
-/// Shortens Gauss–Newton's step to the point of the way to it, by the minimum along the gradient, that is on the border of a region
-/// that does not hold it. Whether it does not.
+/// Shortens the Gauss–Newton step to the point on the border of the trust region along Powell's dogleg, by the minimum
+/// along the gradient. Returns false if the step is inside the region.
 fn dogleg(system: &impl NormalSystem, scale: &[f64], radius: f64, held: &[bool], step: &mut [f64]) -> bool {
     if size(step, scale) <= radius {
         return false;
     }
     let count = step.len();
-    // along the gradient in metres
+    // the gradient direction, in metres
     let down = |k: usize| if held[k] { 0.0 } else { -system.gradient(k) / (scale[k] * scale[k]) };
     let slope: f64 = (0..count).map(|k| -system.gradient(k) * down(k)).sum();
     let along = |i: usize| (0..count).map(|j| system.entry(i, j) * down(j)).sum::<f64>();
@@ -146,10 +147,11 @@ fn dogleg(system: &impl NormalSystem, scale: &[f64], radius: f64, held: &[bool],
     true
 }
 
-/// Share of the way to a bound that a step goes at the most: the search stays inside.
+/// Largest fraction of the distance to a bound in one step, so that the search stays inside.
 const INSIDE: f64 = 0.995;
 
-/// Quadratic model of the cost in metres, with the part of its Hessian that keeps steps off the bounds they are driven to.
+/// Quadratic model of the cost in metres; its Hessian has a term that keeps steps off the bounds towards which the
+/// gradient points.
 struct Quadratic {
     gradient: DVector<f64>,
     hessian: DMatrix<f64>,
@@ -173,7 +175,7 @@ impl Quadratic {
         Self { hessian, ..plain }
     }
 
-    /// Distance to the bound that the gradient drives a parameter to (m).
+    /// Distance to the bound towards which the negative gradient points (m).
     fn distance(&self, k: usize) -> f64 {
         if self.gradient[k] < 0.0 { self.room[k].1 } else { -self.room[k].0 }
     }
@@ -182,7 +184,8 @@ impl Quadratic {
         self.gradient.dot(step) + 0.5 * step.dot(&(&self.hessian * step))
     }
 
-    /// The least value within the region: (H + λ I) step = −g with the least λ that keeps to it, and whether that is above 0.
+    /// The minimum within the trust region: (H + λ I) step = −g with the least λ for which the step fits; true if λ is
+    /// above 0.
     fn within(&self, radius: f64) -> Option<(DVector<f64>, bool)> {
         let unit = self.hessian.diagonal().max();
         let at = |lambda: f64| {
@@ -195,7 +198,7 @@ impl Quadratic {
         if plain.amax() <= radius {
             return Some((plain, false));
         }
-        // the length falls with λ: bisection on its logarithm, to a length near the region's
+        // the length falls with λ: bisection on its logarithm, until the length is near the region's radius
         let (mut long, mut short) = (1e-16_f64, 1e16_f64);
         for _ in 0..100 {
             let middle = (long * short).sqrt();
@@ -208,7 +211,7 @@ impl Quadratic {
         at(short).map(|step| (step, true))
     }
 
-    /// The least value down the gradient, which counts by the distance to the bound it drives to, inside region and bounds.
+    /// The minimum along the negative gradient, scaled by the distances to the bounds, inside region and bounds.
     fn downhill(&self, radius: f64) -> DVector<f64> {
         let down = DVector::from_fn(self.gradient.len(), |k, _| -self.gradient[k] * self.distance(k).min(1.0));
         let bend = down.dot(&(&self.hessian * &down));
@@ -218,7 +221,7 @@ impl Quadratic {
         if step_fraction.is_finite() { down * step_fraction } else { down * 0.0 }
     }
 
-    /// Share of a step at which it meets its first bound, and the parameter that does.
+    /// Fraction of a step at which it meets its first bound, and the parameter that meets it.
     fn first_bound(&self, from: &DVector<f64>, step: &DVector<f64>) -> (f64, usize) {
         let step_fraction = |k: usize| {
             let bound = if step[k] < 0.0 { self.room[k].0 } else { self.room[k].1 };
@@ -228,8 +231,9 @@ impl Quadratic {
     }
 }
 
-/// The interior step of least value: the one that stops before the bound it meets, the one that is reflected there, or one down the
-/// gradient, which leads away from bounds that only other parameters drive to.
+/// Writes the best interior step by the quadratic model: the one that stops before the first bound, the one reflected
+/// there, or the one along the negative gradient, which leads away from bounds towards which only other parameters
+/// lead.
 fn reflective(system: &impl NormalSystem, around: Surroundings<'_>, radius: f64, step: &mut [f64]) -> Option<bool> {
     let model = Quadratic::new(system, around);
     let (wanted, is_limited) = model.within(radius)?;
@@ -248,6 +252,6 @@ fn reflective(system: &impl NormalSystem, around: Surroundings<'_>, radius: f64,
         others.into_iter().fold(first, |a, b| if model.value(&b) < model.value(&a) { b } else { a })
     };
     step.iter_mut().zip(best.iter().zip(around.scale)).for_each(|(step, (best, scale))| *step = best / scale);
-    // driven to a bound, steps of the model end there: that last share of them does not count
+    // near a bound, steps of the model end just before it: a difference of a tenth does not count
     Some(is_limited || (&best - &wanted).amax() > 0.1 * wanted.amax())
 }

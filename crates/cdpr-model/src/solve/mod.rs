@@ -1,4 +1,4 @@
-//! Ways to the least squares of parameters, over the damped loop of [`cdpr_core::solve`].
+//! Methods for the least squares of parameters, on the damped loop of [`cdpr_core::solve`].
 
 pub mod minimizer;
 mod settings;

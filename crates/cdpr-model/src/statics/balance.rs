@@ -1,4 +1,4 @@
-//! Balance of cable tensions and load: Aᵀ f + w = 0 read in both directions.
+//! Balance of cable tensions and load, Aᵀ f + w = 0, solved for the load or for controlled lengths.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -7,13 +7,13 @@ use super::{Load, cable_lengths, section_wrench};
 use crate::geometry::{Pose, Wrench};
 use crate::model::Model;
 
-/// Tensions in two parts that add up to them (eq. 2.38–2.40).
+/// Tensions split into two parts with their sum (eq. 2.38–2.40).
 #[derive(Clone, Debug, PartialEq)]
 pub struct TensionSplit {
-    /// f_int = H λ: the part that tightens the cables against each other, without wrench, Aᵀ f_int = 0 (N).
+    /// f_int = H λ: the part that tightens the cables against each other without a wrench, Aᵀ f_int = 0 (N).
     pub internal: Vec<f64>,
-    /// f_ext = A⁺ᵀ Aᵀ f: the part that carries the load, the shortest tensions with the wrench of f (N). Entries may be
-    /// negative: only the sum of both parts is a tension.
+    /// f_ext = A⁺ᵀ Aᵀ f: the part that carries the load, the tensions of minimum norm with the wrench of f (N). Entries
+    /// may be negative: only the sum of both parts is a tension.
     pub external: Vec<f64>,
     /// Rank of the structure matrix; the internal part has m − rank dimensions.
     pub rank: usize,
@@ -22,15 +22,15 @@ pub struct TensionSplit {
 /// The constant external wrench that these tensions balance, w = −Aᵀ f (world axes, moment about the platform origin;
 /// N, N·m).
 ///
-/// With measured tensions it is the load estimation of Miermeister 2021, eq. 6.22 and 6.23. Components that the motion
-/// pattern does not have are zero: out of the plane, and the moment on a point platform.
+/// For measured tensions this is the load estimation of Miermeister 2021, eq. 6.22 and 6.23. Components outside the
+/// motion pattern are zero: out of the plane, and the moment on a point platform.
 pub fn balanced_wrench(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<Wrench, StaticsError> {
     let all: Vec<usize> = (0..model.cable_count()).collect();
     Ok(-section_wrench(model, pose, tensions, &all)?)
 }
 
-/// Wrench missing to equilibrium, Aᵀ f + w, in the n degrees of freedom of the model (N, N·m): zero when the tensions
-/// balance the load. The platform starts to move in its direction.
+/// Residual wrench Aᵀ f + w in the n degrees of freedom of the model (N, N·m): zero if the tensions balance the load.
+/// The platform starts to move in its direction.
 pub fn wrench_residual(
     model: &Model,
     pose: &Pose,
@@ -43,11 +43,11 @@ pub fn wrench_residual(
 
 /// The internal and the external part of tensions at a pose (eq. 2.40).
 ///
-/// With full rank n the external part is A (AᵀA)⁻¹ Aᵀ f (eq. 2.39). Where Aᵀ has less rank, AᵀA has no inverse; the
-/// projector onto the row space of Aᵀ still exists and is used: the external part is then the shortest set of tensions with
-/// the same wrench. A row of which the others leave less than 10·max(n, m)·ε of the longest row (moment rows divided by the
-/// platform radius, so that all are without unit) counts as dependent: that much is rounding of the matrix. Scaling rows
-/// does not change the row space, so the radius matters for the rank alone.
+/// With full rank n the external part is A (AᵀA)⁻¹ Aᵀ f (eq. 2.39). If Aᵀ has lower rank, AᵀA has no inverse, but the
+/// projector onto the row space of Aᵀ exists and is used: the external part then has the minimum norm among the
+/// tensions with the same wrench. A row counts as dependent if less than 10·max(n, m)·ε of the longest row remains
+/// after subtracting the others (moment rows divided by the platform radius, so that all are without unit): that is
+/// rounding of the matrix. Scaling rows does not change the row space, so that the radius matters only for the rank.
 pub fn split(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<TensionSplit, StaticsError> {
     check_tensions(model, tensions)?;
     let mut matrix = model.structure_matrix(pose)?;
@@ -65,8 +65,8 @@ pub fn split(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<TensionSpli
     })
 }
 
-/// Orthonormal columns that span the columns of a matrix: modified Gram–Schmidt with pivoting. Ends after n steps whatever
-/// the numbers are.
+/// Orthonormal columns that span the columns of a matrix: modified Gram–Schmidt with pivoting. Ends after n steps for
+/// any numbers.
 fn column_space(mut matrix: DMatrix<f64>) -> DMatrix<f64> {
     let (rows, columns) = matrix.shape();
     let longest = |matrix: &DMatrix<f64>, from: usize| {
@@ -79,7 +79,7 @@ fn column_space(mut matrix: DMatrix<f64>) -> DMatrix<f64> {
         && norm > tolerance
     {
         matrix.swap_columns(rank, pivot);
-        // a second time: what a first removal leaves is rounding beside a short column
+        // a second time, since the first removal leaves rounding that is large beside a short column
         (0..rank).for_each(|unit| remove_share(&mut matrix, rank, unit));
         let norm = matrix.column(rank).norm();
         matrix.column_mut(rank).scale_mut(1.0 / norm);
@@ -89,17 +89,17 @@ fn column_space(mut matrix: DMatrix<f64>) -> DMatrix<f64> {
     matrix.columns(0, rank).into_owned()
 }
 
-/// Takes from a column what it has of a unit column.
+/// Subtracts from a column its projection on a unit column.
 fn remove_share(matrix: &mut DMatrix<f64>, column: usize, unit: usize) {
     let unit = matrix.column(unit).into_owned();
     let fraction = matrix.column(column).dot(&unit);
     matrix.column_mut(column).axpy(-fraction, &unit, 1.0);
 }
 
-/// Controlled lengths q_θ with which the cables have these tensions at this pose (m): the exact inverse of the elastic law
-/// (eq. 2.37, 2.41); the geometric lengths where the model does not stretch.
+/// Controlled lengths q_θ with which the cables have these tensions at this pose (m): the exact inverse of the elastic
+/// law (eq. 2.37, 2.41); the geometric lengths for a model that does not stretch.
 ///
-/// Whether the tensions balance a load is not asked (see [`wrench_residual`]).
+/// The tensions need not balance a load (see [`wrench_residual`]).
 pub fn controlled_lengths(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<Vec<f64>, StaticsError> {
     check_tensions(model, tensions)?;
     let rotation = pose.rotation_rows();

@@ -7,12 +7,13 @@ use crate::cable::{CableInput, CableState};
 use crate::geometry::Pose;
 use crate::model::Model;
 
-/// One cable (0-based) of a model at a pose with a tension (N), which is that at the outlet, or where the file says that it is measured.
+/// State of one cable (0-based) of a model at a pose with a tension (N), measured at the outlet or at the place that
+/// the file states.
 pub fn cable_state(model: &Model, pose: &Pose, index: usize, tension: f64) -> Result<CableState, StaticsError> {
     state_of(model, pose, index, model.measured_tension(index, tension))
 }
 
-/// One cable (0-based) with a tension at its outlet (N), as forward problems give it.
+/// State of one cable (0-based) with a tension at its outlet (N), as forward problems give it.
 pub fn cable_state_at_outlet(
     model: &Model,
     pose: &Pose,
@@ -23,14 +24,15 @@ pub fn cable_state_at_outlet(
 }
 
 fn state_of(model: &Model, pose: &Pose, index: usize, input: CableInput) -> Result<CableState, StaticsError> {
-    // a pose without a path is told in the words of the geometry
+    // a pose without a path gives the error of the geometry
     let (path, end) = model.checked_path(index, pose.position.into(), &pose.rotation_rows())?;
     let state = model.law(index).state_on(&path, &end, input, None);
     let state = state.and_then(CableState::unless_overstretched);
     state.map_err(|reason| StaticsError::of_cable(index, path.length, reason))
 }
 
-/// One straight cable (0-based) as a spring of 1 N/m with the tension, of any sign (N), that its length (m) leads to.
+/// State of one straight cable (0-based) as a spring of 1 N/m, with the tension of any sign (N) that `tension` gives
+/// for its length (m).
 pub fn unit_spring_state(
     model: &Model,
     pose: &Pose,
@@ -41,8 +43,9 @@ pub fn unit_spring_state(
     Ok(unit_spring(&path, &end, model.law(index).recording, tension(path.length)))
 }
 
-/// Lengths of one cable (0-based) with a tension where the robot measures it (N; NaN where it is unknown), from a memory of its own or
-/// never loaded: the exact inverse of the cable law (eq. 2.37, 2.41). The rows of the pose's rotation are shared by all cables.
+/// Lengths of one cable (0-based) with a tension at the place where the robot measures it (N; NaN if unknown), starting
+/// from a memory or never loaded: the exact inverse of the cable law (eq. 2.37, 2.41). All cables share the rows of the
+/// pose's rotation.
 pub fn cable_lengths(
     model: &Model,
     pose: &Pose,

@@ -5,7 +5,7 @@ use thiserror::Error;
 use crate::cable::{CableStateError, GeometryError};
 use crate::model::Model;
 
-/// Why there is no answer: tensions that no cable can have, or a pose at which a cable has no path.
+/// Tensions that no cable can have, or a pose at which a cable has no path.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum StaticsError {
@@ -33,7 +33,7 @@ pub enum StaticsError {
         /// Value given (N).
         value: f64,
     },
-    /// A tension that leaves no unstretched cable.
+    /// A tension that would stretch the cable by its whole length.
     #[error(
         "cable {cable}: a tension of {tension} N would stretch it by its whole length of {length} m; check the units of tension (N) and stiffness (axial_stiffness_EA_N in N)"
     )]
@@ -45,20 +45,20 @@ pub enum StaticsError {
         /// Geometric length (m).
         length: f64,
     },
-    /// A stiffness was asked of a cable that does not stretch.
+    /// The stiffness of a cable that does not stretch was requested.
     #[error("cable {cable} does not stretch, so its stiffness is infinite; {cure}")]
     Rigid {
         /// Number of the cable, from 1.
         cable: usize,
-        /// How to get a finite one.
+        /// Change of the robot or model that gives a finite stiffness.
         cure: String,
     },
-    /// A cable that cannot be as its tension asks.
+    /// A cable that has no state with its tension.
     #[error("cable {cable}: {reason}")]
     CableState {
         /// Number of the cable, from 1.
         cable: usize,
-        /// Reason why the cable has no state.
+        /// Reason that the cable has no state.
         reason: CableStateError,
     },
     /// A cable group names a cable that the robot does not have.
@@ -81,7 +81,7 @@ pub enum StaticsError {
 }
 
 impl StaticsError {
-    /// Why one cable (0-based) of a geometric length (m) is in no state.
+    /// The error for one cable (0-based) of a geometric length (m) that has no state.
     #[cold]
     #[inline(never)]
     pub fn of_cable(index: usize, length: f64, reason: CableStateError) -> Self {
@@ -93,7 +93,7 @@ impl StaticsError {
     }
 }
 
-/// One finite tension of zero or more per cable, or an error that names the cable.
+/// Checks that there is one finite tension of zero or more per cable; otherwise the error names the cable.
 pub fn check_tensions(model: &Model, tensions: &[f64]) -> Result<(), StaticsError> {
     let (expected, found) = (model.cable_count(), tensions.len());
     if expected != found {

@@ -17,7 +17,7 @@ pub struct Load {
     center_of_mass: Vector3<f64>,
 }
 
-/// A robot file that does not say what acts on the platform.
+/// A robot file that does not state the load on the platform.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error("the load on the platform of \"{robot}\" is unknown: its file lacks {key}; add it, or give the wrench")]
 pub struct LoadError {
@@ -28,15 +28,15 @@ pub struct LoadError {
 }
 
 impl Load {
-    /// A constant wrench (world axes, moment about the platform origin; N, N·m) and nothing else.
+    /// A load with only a constant wrench (world axes, moment about the platform origin; N, N·m).
     pub fn constant(wrench: Wrench) -> Self {
         Self { constant: wrench, weight: Vector3::zeros(), center_of_mass: Vector3::zeros() }
     }
 
     /// The load that a robot's file states: its external wrench, and its weight unless that wrench includes it.
     ///
-    /// Mass and centre of mass must be known as far as they matter: not without gravity, nor for a planar robot whose plane
-    /// is horizontal, nor the centre of mass for a platform that does not turn.
+    /// Mass and centre of mass may be missing if they have no effect: both without gravity and for a planar robot with
+    /// a horizontal plane, the centre of mass for a platform that does not turn.
     pub fn of(robot: &Robot) -> Result<Self, LoadError> {
         let missing = |key| LoadError { robot: robot.name.clone(), key };
         let constant = robot.external_wrench.as_ref().map_or_else(Wrench::zeros, |external| external.wrench);
@@ -79,12 +79,12 @@ impl Load {
         gradient
     }
 
-    /// Size of the constant force and of the weight, together (N).
+    /// Norm of the constant force plus norm of the weight (N).
     pub fn force(&self) -> f64 {
         self.constant.fixed_rows::<3>(0).norm() + self.weight.norm()
     }
 
-    /// The same load with the weight of another mass (kg) in the same centre.
+    /// The same load with the weight of another mass (kg) at the same centre.
     pub fn with_mass(self, robot: &Robot, mass: f64) -> Self {
         Self { weight: robot.gravity.unwrap_or_else(Vector3::zeros) * mass, ..self }
     }
@@ -94,7 +94,7 @@ impl Load {
         &self.constant
     }
 
-    /// The weight m g (world, N) and the centre of mass c it acts in (platform frame, m).
+    /// The weight m g (world, N) and the centre of mass c at which it acts (platform frame, m).
     pub fn weight(&self) -> (&Vector3<f64>, &Vector3<f64>) {
         (&self.weight, &self.center_of_mass)
     }
@@ -106,7 +106,7 @@ impl Load {
         rows
     }
 
-    /// [`Load::in_pattern`] into memory of the caller, as many of the n rows as it has.
+    /// Writes [`Load::in_pattern`] to memory of the caller, as many of the n rows as it has.
     pub(crate) fn write_in_pattern(&self, model: &Model, pose: &Pose, rows: &mut [f64]) {
         let wrench = self.wrench(pose);
         rows.iter_mut().zip(model.twist_basis()).for_each(|(row, twist)| *row = twist.dot(&wrench));

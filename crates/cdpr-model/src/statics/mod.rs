@@ -1,7 +1,7 @@
-//! Forces at one pose: the load on the platform, what balances it, and how stiffly.
+//! Forces at one pose: the load on the platform, the tensions that balance it, and the stiffness.
 //!
-//! Everything is asked at a given pose with given tensions, in the motion pattern's degrees of freedom. Tensions are pull
-//! positive and never negative; the law that made them is that of the model (see [`crate::cable::elasticity`]).
+//! All functions take a pose and tensions, and work in the motion pattern's degrees of freedom. Tensions are pull
+//! positive and never negative; the law of the cables is the model's (see [`crate::cable::elasticity`]).
 
 mod balance;
 mod cable_states;

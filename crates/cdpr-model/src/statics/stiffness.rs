@@ -1,4 +1,5 @@
-//! Stiffness of the platform at a pose with given tensions: K_C, K_G, the load's share, and what follows from them.
+//! Stiffness of the platform at a pose with given tensions: K_C, K_G, the part of the load, and quantities derived from
+//! them.
 
 use nalgebra::{DMatrix, DVector, Matrix6};
 
@@ -11,17 +12,17 @@ use crate::geometry::{Pose, Twist};
 use crate::model::{Model, StretchEffect};
 use crate::scalar::decomposition::{svd, symmetric_eigen};
 
-/// How the wrench on the platform answers to small displacements at fixed controlled lengths.
+/// Change of the wrench on the platform with small displacements at fixed controlled lengths.
 ///
-/// All matrices are in the motion pattern's n degrees of freedom: forces by displacements in N/m, mixed parts in N, moments
-/// by turns in N·m/rad. Balance Aᵀ f(q, q_θ) + w = 0, differentiated (eq. 2.66, 2.74), reads
+/// All matrices are in the motion pattern's n degrees of freedom: forces by displacements in N/m, mixed parts in N,
+/// moments by rotations in N·m/rad. Balance Aᵀ f(q, q_θ) + w = 0, differentiated (eq. 2.66, 2.74), reads
 ///
 /// (K_G + ∂w/∂x − K_C) δx − K_wq δq_θ + δw = 0,  so  δx = K_wx⁻¹ (δw − K_wq δq_θ)  with  K_wx = K_C − K_G − ∂w/∂x.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stiffness {
     /// K_C = Aᵀ K A from the stretch of the cables, n × n (eq. 2.75).
     pub cable: DMatrix<f64>,
-    /// K_G = Σ fᵢ ∂\[uᵢ; bᵢ × uᵢ\]/∂x from turning cables and levers, n × n (eq. 2.67).
+    /// K_G = Σ fᵢ ∂\[uᵢ; bᵢ × uᵢ\]/∂x from the turning of cables and moment arms, n × n (eq. 2.67).
     pub geometric: DMatrix<f64>,
     /// ∂w/∂x: the weight's moment turns with the platform, n × n.
     pub load: DMatrix<f64>,
@@ -33,24 +34,24 @@ pub struct Stiffness {
     pub cable_stiffness: Vec<f64>,
     /// Diagonal of K_θ: −∂fᵢ/∂q_θ,ᵢ at fixed geometric length (N/m). It differs from K by 1 + strain.
     pub controlled_length_stiffness: Vec<f64>,
-    /// Controlled lengths q_θ that belong to the tensions (m).
+    /// Controlled lengths q_θ for these tensions (m).
     pub controlled_lengths: Vec<f64>,
-    /// Stiffness that counts as none (N/m): 1e-9 of the cables' stiffnesses together, or 1e-6 of the load's force over the mean cable length where
-    /// that is less, and never less than 1e-12 of the cables' stiffnesses.
+    /// Stiffness up to which an equilibrium is indifferent (N/m): the smaller of 1e-9 of the cables' total stiffness
+    /// and 1e-6 of the load's force over the mean cable length, but at least 1e-12 of the cables' total stiffness.
     pub indifferent_stiffness: f64,
-    /// Scales twists to \[δr; ρ δφ\], all metres: 1 for translations, 1/ρ for turns.
+    /// Scales twists to \[δr; ρ δφ\], all in metres: 1 for translations, 1/ρ for rotations.
     scaling: DVector<f64>,
 }
 
-/// Singular values this small beside the largest cannot be told from rounding.
+/// Singular values below this fraction of the largest are rounding.
 const ROUNDING: f64 = 1e-13;
 
 impl Stiffness {
-    /// Stiffness where the cables have these tensions (N) and the platform carries this load.
+    /// Stiffness of cables with these tensions (N) under this load.
     ///
-    /// Controlled lengths are those that belong to the tensions and stay fixed. A cable without tension is slack: it
-    /// neither stretches nor turns a force, so it adds nothing. Balance of tensions and load is not required, but only at an
-    /// equilibrium do the matrices say what the platform does.
+    /// Controlled lengths are those that give the tensions, and stay fixed. A cable without tension is slack: it
+    /// neither stretches nor turns a force, and adds nothing. Tensions and load need not be in balance, but only at an
+    /// equilibrium do the matrices describe how the platform moves.
     pub fn at(model: &Model, pose: &Pose, tensions: &[f64], load: &Load) -> Result<Self, StaticsError> {
         check_tensions(model, tensions)?;
         let (n, m) = (model.dof(), model.cable_count());
@@ -84,7 +85,7 @@ impl Stiffness {
         Ok(stiffness)
     }
 
-    /// Adds what the change of a cable's tension does: K_C is (∂W/∂q_θ)(∂q_θ/∂x) at fixed tension.
+    /// Adds the effect of a changing tension: K_C is (∂W/∂q_θ)(∂q_θ/∂x) at fixed tension.
     fn add_stretch(&mut self, basis: &[Twist], index: usize, state: &CableState) {
         let (by_length, by_pose) = (state.wrench_by_controlled_length(), state.controlled_length_by_pose());
         for (row, twist) in basis.iter().enumerate() {
@@ -102,10 +103,10 @@ impl Stiffness {
         self.controlled_lengths.push(state.controlled_length);
     }
 
-    /// Compliance K_wx⁻¹, the displacement per wrench, δx = K_wx⁻¹ δw (m/N, 1/N, rad/(N·m)); `None` when the stiffness is
-    /// singular: then some displacement meets no resistance.
+    /// Compliance K_wx⁻¹, the displacement per wrench, δx = K_wx⁻¹ δw (m/N, 1/N, rad/(N·m)); `None` if the stiffness is
+    /// singular, so that some displacement meets no resistance.
     ///
-    /// The sign is that of δx = +K_wx⁻¹ δw; eq. 2.78 prints the other.
+    /// The sign is that of δx = +K_wx⁻¹ δw; eq. 2.78 has the opposite one.
     pub fn compliance(&self) -> Option<DMatrix<f64>> {
         let scaled = self.scaled(&self.system);
         let values = svd(scaled.clone(), false, false)?.singular_values;
@@ -122,11 +123,11 @@ impl Stiffness {
         Some(-(self.compliance()? * &self.by_controlled_length))
     }
 
-    /// Eigenvalues of the symmetric part of K_wx, ascending (N/m), turns counted as the way of a point at the platform
-    /// radius. Empty when the numbers overflow.
+    /// Eigenvalues of the symmetric part of K_wx, ascending (N/m), rotations divided by the platform radius. Empty if
+    /// numbers overflow.
     ///
-    /// Moments of constant direction add a skew part to K_wx; the work of a displacement, and so stability, sees only the
-    /// symmetric part.
+    /// Moments of constant direction add a skew part to K_wx; the work of a displacement, and so stability, depends
+    /// only on the symmetric part.
     pub fn eigenvalues(&self) -> Vec<f64> {
         let symmetric = self.scaled(&((&self.system + self.system.transpose()) * 0.5));
         let mut values =
@@ -152,9 +153,9 @@ pub fn axial_stiffness(state: &CableState) -> f64 {
     -along(state.tangent.map(along))
 }
 
-/// K_G = Σ fᵢ ∂\[uᵢ; bᵢ × uᵢ\]/∂x, n × n: how the wrench of constant tensions changes with the pose (eq. 2.67).
+/// K_G = Σ fᵢ ∂\[uᵢ; bᵢ × uᵢ\]/∂x, n × n: the change of the wrench of constant tensions with the pose (eq. 2.67).
 ///
-/// Unlike [`Stiffness::at`] it asks nothing of the cables' elasticity.
+/// Unlike [`Stiffness::at`] it does not need the cables' elasticity.
 pub fn geometric_stiffness(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<DMatrix<f64>, StaticsError> {
     check_tensions(model, tensions)?;
     let mut turning = Matrix6::zeros();

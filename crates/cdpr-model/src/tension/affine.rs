@@ -12,17 +12,17 @@ use crate::scalar::LANES;
 pub(super) struct Affine {
     balance: Balance,
     cable_count: usize,
-    /// Entries per column: the cables, filled up with zeros to whole blocks.
+    /// Entries per column: one per cable, padded with zeros to whole blocks.
     stride: usize,
     /// H, and after it p.
     columns: Vec<Block>,
-    /// Columns of H that are still free.
+    /// Number of columns of H that no fixed cable has used up.
     dimension: usize,
-    /// Row of H that `fix` turns into one entry.
+    /// Row of one cable in H; `fix` turns it until only its last entry differs from zero.
     row: Vec<f64>,
 }
 
-/// A cable whose row in the free basis is shorter than this keeps its tension.
+/// Norm of a cable's row in the free columns of H below which its tension cannot be changed.
 const FIXED: f64 = 1e-9;
 
 /// Orthonormal columns H of the null space of a structure matrix: Aᵀ H = 0.
@@ -46,14 +46,14 @@ impl Affine {
         }
     }
 
-    /// Finds p and H; false when no tensions at all balance the load.
+    /// Computes p and H; false if no tensions balance the load.
     pub(super) fn load(&mut self, structure_matrix: &DMatrix<f64>, wrench: &[f64]) -> Result<bool, InputError> {
         let unreachable = self.balance.solve(structure_matrix, wrench, &mut self.columns)?;
         self.dimension = self.cable_count - self.balance.rank();
         Ok(unreachable.is_none())
     }
 
-    /// True when the rows of the structure matrix are independent beyond doubt.
+    /// True if the rows of the structure matrix are independent by a clear margin.
     pub(super) fn rank_is_certain(&self) -> bool {
         self.balance.rank_is_certain()
     }
@@ -68,12 +68,12 @@ impl Affine {
         &self.columns.as_flattened()[index * self.stride..][..self.cable_count]
     }
 
-    /// p, the balanced tensions of minimum norm (N). As long as no cable is fixed.
+    /// p, the balanced tensions of minimum norm (N). Valid only while no cable is fixed.
     pub(super) fn minimum_norm(&self) -> &[f64] {
         self.column(self.dimension)
     }
 
-    /// The balanced tensions nearest to a reference, p + H Hᵀ f_ref (N). As long as no cable is fixed.
+    /// Writes the balanced tensions nearest to a reference, p + H Hᵀ f_ref (N). Valid only while no cable is fixed.
     pub(super) fn nearest(&self, reference: &[f64], point: &mut [f64]) {
         point.copy_from_slice(self.minimum_norm());
         for index in 0..self.dimension {
@@ -83,9 +83,10 @@ impl Affine {
         }
     }
 
-    /// Moves a point along H as little as possible until a cable has this tension, and takes that freedom out of H.
+    /// Moves a point along H as little as possible until a cable has this tension (N), and removes that degree of
+    /// freedom from H.
     ///
-    /// False, with nothing changed, when the fixed cables leave this one no freedom.
+    /// Returns false, and changes nothing, if the fixed cables leave this one no freedom.
     pub(super) fn fix(&mut self, cable: usize, tension: f64, point: &mut [f64]) -> bool {
         let (stride, dimension) = (self.stride, self.dimension);
         let numbers = self.columns.as_flattened_mut();
@@ -96,7 +97,7 @@ impl Affine {
         if !(dot(row, row).sqrt() > FIXED) {
             return false;
         }
-        // turns neighbours until the last column alone moves the cable
+        // rotates neighbouring columns until the last one alone moves the cable
         for index in 1..dimension {
             let length = (row[index - 1].powi(2) + row[index].powi(2)).sqrt();
             if length > 0.0 {

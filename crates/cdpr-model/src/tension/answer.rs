@@ -5,22 +5,22 @@ use super::method::Fallback;
 use super::quadratic::{Certificate, UNDECIDED};
 use super::{Limits, Method};
 
-/// Tensions of one problem, or why there are none.
+/// Tensions of one problem, or the reason that there are none.
 #[must_use = "check `status` before using the tensions"]
 #[derive(Clone, Debug)]
 pub struct Answer {
-    /// How the tensions were chosen.
+    /// The method that chose the tensions.
     pub method: Method,
-    /// Whether they are to be used.
+    /// Feasible if the tensions balance the load within their limits.
     pub status: Status,
-    /// Tension per cable (N). Within the limits when feasible; of `nearest-wrench` always. Otherwise as far as the method
-    /// came: not for use.
+    /// Tension per cable (N). Within the limits if feasible, and always within them for `nearest-wrench`. Otherwise the
+    /// last tensions of the search: not for use.
     pub tensions: Vec<f64>,
-    /// Aᵀ f + w (N, N·m): rounding when feasible.
+    /// Aᵀ f + w, one entry per row (N, N·m): rounding if feasible.
     pub wrench_residual: Vec<f64>,
-    /// Steps of the search, in units of the method.
+    /// Steps of the search, counted as the method counts them.
     pub iterations: u32,
-    /// The limits that were asked for, narrowed to what the rates allow.
+    /// The given limits, narrowed to the range that the rates allow.
     pub limits: Limits,
     pub(super) cause: Cause,
     /// True when the rates narrowed the limits, and tensions exist without them.
@@ -43,13 +43,14 @@ impl Answer {
         }
     }
 
-    /// Parts that a method writes.
+    /// Mutable references to the fields that a method writes.
     pub(super) fn found(&mut self) -> FoundTensions<'_> {
         let Self { status, tensions, iterations, limits, cause, .. } = self;
         FoundTensions { limits, tensions, status, cause, iterations }
     }
 
-    /// True of tensions to look at: those to be used, and those that the method gives where there are none.
+    /// True if the tensions are feasible, if the method gives balanced tensions beyond their limits, or if it gives
+    /// tensions that balance a part of an infeasible load.
     pub fn has_tensions(&self) -> bool {
         self.status == Status::Feasible
             || match self.method.fallback() {
@@ -59,19 +60,19 @@ impl Answer {
             }
     }
 
-    /// The proof that no tensions will do, for checking by other means. None of a cable that its rate keeps beyond its limits:
-    /// that needs none.
+    /// The proof that no tensions balance the load within the limits, for checking by other means. `None` unless
+    /// infeasible, and `None` if the rate of a cable keeps it beyond its limits: this needs no proof.
     pub fn certificate(&self) -> Option<&Certificate> {
         (self.status == Status::Infeasible && self.cause == Cause::Certificate).then_some(&self.certificate)
     }
 
-    /// The wrench that the cables would have to give besides (N, N·m): −(Aᵀ f + w), zero to rounding when feasible.
+    /// The wrench that the cables do not balance (N, N·m): −(Aᵀ f + w), zero to rounding if feasible.
     pub fn missing_wrench(&self) -> Vec<f64> {
         self.wrench_residual.iter().map(|residual| -residual).collect()
     }
 
-    /// Why the tensions are not to be used: which limits of which cables exclude the load and by how much, or how far the
-    /// method came where others find tensions.
+    /// The reason that the tensions are not for use; `None` if feasible. It names the limits and cables that exclude
+    /// the load and by how much, or the residual at which the method stopped although other methods find tensions.
     pub fn reason(&self) -> Option<String> {
         match self.status {
             Status::Feasible => None,
@@ -126,7 +127,7 @@ impl Answer {
         }
     }
 
-    /// Largest row of Aᵀ f + w (N, N·m); 0 where it is rounding of the largest limit.
+    /// Largest row of Aᵀ f + w by amount (N, N·m); 0 if it is below 100 times the tolerance of the limits.
     fn unbalanced(&self) -> f64 {
         let most = self.wrench_residual.iter().fold(0.0_f64, |most, row| most.max(row.abs()));
         if most > 1e2 * self.limits.tolerance() { most } else { 0.0 }

@@ -1,16 +1,16 @@
 //! The barrier method: the analytic centre of the allowed tensions, max Σ log (f − f_min) + log (f_max − f).
 //!
-//! The product of the distances to all limits is largest at one point, inside the set, found by Newton's method in the
-//! coordinates λ of f + H λ. The start is strictly inside: the quadratic programme with limits that are narrower by a part of
-//! their range. The step is damped as the theory of self-concordant functions asks (Nesterov and Nemirovskii 1994), which
-//! ends from any start; the last steps double the digits.
+//! The product of the distances to all limits is largest at one point inside the set, found by Newton's method in the
+//! coordinates λ of f + H λ. The start lies strictly inside: the optimum of the quadratic programme with limits
+//! narrowed by a fraction of their range. The step is damped as the theory of self-concordant functions requires
+//! (Nesterov and Nemirovskii 1994), so that the search converges from any start; the last steps double the digits.
 //!
-//! **Continuity:** the centre is a smooth function of load, matrix and limits wherever the set has an inside, C¹ and
-//! beyond: the implicit function theorem with a Hessian that is positive definite. At the edge of the workspace, where the
-//! set shrinks to a point, it tends to that point. Where the set is so thin that no limits narrower by 1e-9 of their range
-//! leave tensions, those of the programme are the answer. **Stop rule:** a Newton step of less than 1e-11 of the distances to
-//! the limits, or one that rounding keeps from shrinking. **Warm start:** the last tensions, brought into balance, where they are strictly inside; the answer
-//! changes by rounding only.
+//! **Continuity:** the centre is a smooth function (C¹ and beyond) of load, matrix and limits wherever the set has an
+//! inside: the implicit function theorem with a positive definite Hessian. At the edge of the workspace, where the set
+//! shrinks to a point, it tends to that point. If the set is so thin that no limits narrowed by 1e-9 of their range
+//! leave tensions, the answer is the optimum of the programme. **Stop rule:** a Newton step of less than 1e-11 of the
+//! distances to the limits, or one that rounding keeps from shrinking. **Warm start:** the last tensions, brought into
+//! balance, if they are strictly inside; the answer changes by rounding only.
 
 use super::affine::{Affine, add_scaled, dot};
 use super::distribute::{Chosen, Distribute, FoundTensions, NoDerivative, Status, Task, Written};
@@ -18,17 +18,18 @@ use super::quadratic;
 use super::response::optimum::Optimum;
 use super::{InputError, Limits};
 
-/// Parts of their ranges by which the limits are narrowed, in the order tried.
+/// Fractions of their ranges by which the limits are narrowed, in the order tried.
 const MARGINS: [f64; 6] = [0.25, 0.05, 0.01, 1e-3, 1e-5, 1e-9];
 
 /// Newton steps before giving up: a start at a margin of 1e-9 needs about 60.
 const MAX_STEPS: u32 = 300;
-/// Newton's step in the metric of the barrier below which the centre is found.
+/// Length of Newton's step in the metric of the barrier below which the centre is found.
 const SETTLED: f64 = 1e-11;
-/// Below this, a step that does not shrink is rounding: of tensions that are large beside their distance to the limits.
+/// Length of a step below which no further decrease means rounding: tensions that are large beside their distance to
+/// the limits.
 const ROUNDING: f64 = 1e-5;
 
-/// The method: memory for the solutions of the balance, the start, and the search from there.
+/// The method: memory for the solutions of the balance, for the start, and for Newton's method.
 #[derive(Clone, Debug)]
 pub(super) struct Centre {
     balanced: Affine,
@@ -50,7 +51,8 @@ impl Centre {
         }
     }
 
-    /// Moves allowed tensions to the centre of all; they stay where the set has no inside.
+    /// Moves allowed tensions to the analytic centre and returns the steps taken. If the set has no inside, the answer
+    /// is the optimum of the programme, after 0 steps.
     fn run(
         &mut self,
         task: &Task<'_>,
@@ -117,10 +119,10 @@ impl Distribute for Centre {
 /// Memory for one Newton step.
 #[derive(Clone, Debug)]
 struct Search {
-    /// Root of the curvature per cable, and slope divided by it.
+    /// Square root of the curvature per cable, and the slope divided by it.
     roots: Vec<f64>,
     slopes: Vec<f64>,
-    /// Q and R of the columns of H times the roots.
+    /// Factors Q and R of H with its rows multiplied by the roots.
     orthogonal: Vec<f64>,
     triangle: Vec<f64>,
     step: Vec<f64>,
@@ -137,8 +139,8 @@ impl Search {
         }
     }
 
-    /// Moves tensions from strictly inside the limits to the centre; returns the steps taken, `None` if it did not get
-    /// there. Cables without a range are fixed first.
+    /// Moves tensions from strictly inside the limits to the centre; returns the steps taken, `None` if it did not
+    /// converge. Cables without a range are fixed first.
     fn run(&mut self, balanced: &mut Affine, limits: &Limits, tensions: &mut [f64]) -> Option<u32> {
         for (cable, (least, largest)) in limits.minimum().iter().zip(limits.maximum()).enumerate() {
             if largest - least <= limits.tolerance() {
@@ -151,7 +153,7 @@ impl Search {
         let mut last = f64::INFINITY;
         for steps in 0..MAX_STEPS {
             let length = self.newton(balanced, limits, tensions)?;
-            // beyond 1/4 the quadratic model may lead outside, 1/(1 + length) of it does not
+            // beyond 1/4 a whole step may lead outside, the fraction 1/(1 + length) of it does not
             let part = if length > 0.25 { 1.0 / (1.0 + length) } else { 1.0 };
             for (column, along) in self.step[..balanced.dimension()].iter().enumerate() {
                 add_scaled(tensions, part * along, balanced.column(column));
@@ -164,9 +166,9 @@ impl Search {
         None
     }
 
-    /// Writes Newton's step; returns its length in the metric of the barrier.
+    /// Writes Newton's step; returns its length in the metric of the barrier, `None` if it is not finite.
     ///
-    /// By orthogonal columns of √curvature · H: near a limit curvatures differ by more than the square of rounding.
+    /// Uses a QR factorisation of √curvature · H: near a limit curvatures differ by more than the square of rounding.
     fn newton(&mut self, balanced: &Affine, limits: &Limits, tensions: &[f64]) -> Option<f64> {
         let (dimension, cables) = (balanced.dimension(), tensions.len());
         let ends = limits.minimum().iter().zip(limits.maximum());

@@ -1,16 +1,16 @@
 //! The centroid of all allowed tensions, at any redundancy.
 //!
-//! In the coordinates λ of f + H λ the allowed tensions are a polytope: none or a point (redundancy 0), a segment (1, its
-//! midpoint), a polygon (2, the barycentre of Gouttefarde et al. 2015), a polyhedron and so on. Volume and centroid follow
-//! from those of the facets, each of which is a polytope of one dimension less: with the distance bᵢ of facet i from any one
-//! point and its volume Vᵢ, r V = Σ bᵢ Vᵢ, and the centroid is that of cones over the facets. The recursion ends at segments,
-//! whose ends are the vertices of polygons. It is exact to rounding.
+//! In the coordinates λ of f + H λ the allowed tensions are a polytope: none or a point (redundancy 0), a segment (1,
+//! its midpoint), a polygon (2, the barycentre of Gouttefarde et al. 2015), a polyhedron and so on. Volume and centroid
+//! follow from those of the facets, which are polytopes of one dimension less: with the distance bᵢ of facet i from any
+//! one point and its volume Vᵢ, r V = Σ bᵢ Vᵢ, and the centroid is that of cones over the facets. The recursion ends at
+//! segments, which have the vertices of polygons as ends. It is exact to rounding.
 //!
-//! **Cost:** m limits above and below give 2m facets, each with 2m − 2 of its own …: it grows by a factor of about 2m with every
-//! further degree of redundancy (see the table in the book), so that it gives up after some seconds' work, and at once beyond 8 degrees.
-//! **Continuity:** continuous as long as the set keeps its
-//! dimension. Where it is thinner than rounding in some direction, the tensions of the quadratic programme are the answer.
-//! **Warm start:** none.
+//! **Cost:** m limits above and below give 2m facets, each with 2m − 2 of its own, and so on: the cost grows by a
+//! factor of about 2m with every further degree of redundancy (see the table in the book). The method gives up after
+//! some seconds' work, and at once beyond 8 degrees. **Continuity:** continuous as long as the set keeps its dimension.
+//! If the set is thinner than rounding in some direction, the answer is the optimum of the quadratic programme. **Warm
+//! start:** none.
 
 use super::affine::Affine;
 use super::distribute::{Cause, Chosen, Distribute, FoundTensions, NoDerivative, Problem, Status, Task, Written};
@@ -18,7 +18,7 @@ use super::polytope::{Centroid, Polytope};
 use super::response::centroid;
 use super::{InputError, Limits, quadratic};
 
-/// Memory for the solutions of the balance, one polytope and the point it is seen from.
+/// Memory for the solutions of the balance, for one polytope, and for the start around which it is built.
 #[derive(Clone, Debug)]
 pub(super) struct CentroidMethod {
     balanced: Affine,
@@ -38,8 +38,9 @@ impl CentroidMethod {
         }
     }
 
-    /// Moves allowed tensions to the centroid of all; they stay where they are if the set has no volume. `balanced` holds
-    /// the solutions and is used up. The dimension of a set of too many faces is an error.
+    /// Moves allowed tensions to the centroid of the allowed set; they stay where they are if the set has no volume.
+    /// `balanced` holds the solutions of the balance and is used up. The error is the dimension of a set with too many
+    /// faces.
     fn run(&mut self, limits: &Limits, tensions: &mut [f64]) -> Result<(), usize> {
         let balanced = &mut self.balanced;
         for (cable, (least, largest)) in limits.minimum().iter().zip(limits.maximum()).enumerate() {
@@ -52,7 +53,7 @@ impl CentroidMethod {
         if dimension == 0 || !(unit > 0.0 && unit.is_finite()) {
             return Ok(());
         }
-        // distances in units of the diameter: nothing of the set is further away than 1
+        // distances in units of the diameter: no point of the set is further away than 1
         self.polytope.begin(dimension);
         for (cable, tension) in tensions.iter().enumerate() {
             for column in 0..dimension {
@@ -76,7 +77,7 @@ impl CentroidMethod {
             }
             *tension += unit * away;
         }
-        // a set of hardly any volume has a centroid of rounding errors
+        // the centroid of a set of almost no volume consists of rounding errors
         if !limits.contain(tensions, 10.0 * limits.tolerance()) {
             tensions.copy_from_slice(&self.start);
         }

@@ -10,27 +10,28 @@ use super::limits::can_be_calculated_with;
 use super::response::optimum;
 use crate::scalar::decomposition::svd;
 
-/// A rest of the balance below this part of its terms is rounding.
+/// Fraction of the terms of a row of the balance below which its residual is rounding.
 pub(crate) const ROUNDING: f64 = 1e-9;
 
-/// Tensions in closed form, and what they are worth.
+/// Tensions in closed form, with their residual and whether they keep the limits.
 #[must_use = "check `within_limits` before using the tensions"]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {
     /// Tension per cable (N); it may be negative or above its limit.
     pub tensions: Vec<f64>,
-    /// True when every tension keeps its limits.
+    /// True if every tension keeps its limits.
     pub within_limits: bool,
     /// Aᵀ f + w (N, N·m): zero to rounding unless the structure matrix has lost rank.
     pub wrench_residual: Vec<f64>,
-    /// True when the tensions balance the load to rounding.
+    /// True if the tensions balance the load to rounding.
     pub balanced: bool,
     /// Rank of the structure matrix.
     pub rank: usize,
 }
 
 impl Solution {
-    /// Why the tensions are not to be used: cables beyond their limits, or a load that stays unbalanced.
+    /// The reason that the tensions are not for use: cables beyond their limits, or a load that stays unbalanced.
+    /// `None` if they may be used.
     pub fn reason(&self, limits: &Limits) -> Option<String> {
         let mut reasons = limits.missed(&self.tensions);
         if !self.balanced {
@@ -46,22 +47,23 @@ impl Solution {
     }
 }
 
-/// A solver that keeps its memory; it starts nowhere, so that every result depends on its own problem alone.
+/// A solver that keeps its memory but no start: every result depends on its own problem alone.
 ///
 /// The tensions are a continuous function of load, matrix and limits wherever the matrix has full rank.
 #[derive(Clone, Debug)]
 pub struct Solver {
     balanced: Affine,
     reference: Vec<f64>,
-    /// Sums of the terms' amounts per row: what rounding is measured against.
+    /// Sum of the terms' amounts per row, to which rounding is relative.
     sizes: Vec<f64>,
     solution: Solution,
 }
 
 /// f = f_m − A⁺ᵀ (w + Aᵀ f_m) with f_m = ½ (f_min + f_max) (Miermeister 2021, eq. 3.41).
 ///
-/// Of all tensions that balance the load these are the nearest to f_m. Where the cables cannot balance it, the rest is
-/// the least possible one, its rows compared after division by those of the structure matrix. See [`Solver`] for many.
+/// Of all tensions that balance the load these are the nearest to f_m. If the cables cannot balance it, the residual is
+/// the least possible one, with each row divided by the length of the structure matrix's row. See [`Solver`] for many
+/// problems.
 pub fn solve(structure_matrix: &DMatrix<f64>, wrench: &[f64], limits: &Limits) -> Result<Solution, InputError> {
     let (dof, cable_count) = structure_matrix.shape();
     let mut solver = Solver::new(cable_count, dof);
@@ -70,7 +72,7 @@ pub fn solve(structure_matrix: &DMatrix<f64>, wrench: &[f64], limits: &Limits) -
 }
 
 impl Solver {
-    /// A solver for this many cables and degrees of freedom: all memory is claimed here, but what lost rank needs.
+    /// A solver for this many cables and degrees of freedom. It claims all memory here, except that for lost rank.
     pub fn new(cable_count: usize, dof: usize) -> Self {
         Self {
             balanced: Affine::new(cable_count, dof),
@@ -86,7 +88,7 @@ impl Solver {
         }
     }
 
-    /// As [`solve`], near to other tensions than the middle of the limits where a reference is given.
+    /// As [`solve`], but near to the reference (N per cable) if one is given, instead of the middle of the limits.
     pub fn solve(
         &mut self,
         structure_matrix: &DMatrix<f64>,
@@ -104,7 +106,7 @@ impl Solver {
             None => self.reference.iter_mut().enumerate().for_each(|(cable, place)| *place = limits.middle(cable)),
         }
         let found = &mut self.solution;
-        // orthogonal factors where the rank is beyond doubt; singular values where it is not
+        // orthogonal factors if the rank is certain, otherwise singular values
         if self.balanced.load(structure_matrix, wrench)? && self.balanced.rank_is_certain() {
             self.balanced.nearest(&self.reference, &mut found.tensions);
             found.rank = wrench.len();
@@ -117,7 +119,7 @@ impl Solver {
         Ok(&self.solution)
     }
 
-    /// True when every row of Aᵀ f + w is rounding of its terms.
+    /// True if every row of Aᵀ f + w is rounding of its terms.
     fn is_zero_to_rounding(&mut self, structure_matrix: &DMatrix<f64>, wrench: &[f64]) -> bool {
         let sizes = &mut self.sizes;
         sizes.iter_mut().zip(wrench).for_each(|(size, w)| *size = w.abs());
@@ -143,7 +145,7 @@ impl Distribute for Solver {
     }
 }
 
-/// Writes Aᵀ f + w.
+/// Writes Aᵀ f + w (N, N·m).
 pub(super) fn write_residual(structure_matrix: &DMatrix<f64>, wrench: &[f64], tensions: &[f64], residual: &mut [f64]) {
     residual.copy_from_slice(wrench);
     for (column, tension) in structure_matrix.as_slice().chunks_exact(wrench.len().max(1)).zip(tensions) {
@@ -151,7 +153,7 @@ pub(super) fn write_residual(structure_matrix: &DMatrix<f64>, wrench: &[f64], te
     }
 }
 
-/// Writes the minimum-norm correction of the reference with the least rest; returns the rank.
+/// Writes the tensions with the least residual that are nearest to the reference; returns the rank.
 fn by_singular_values(
     structure_matrix: &DMatrix<f64>,
     wrench: &[f64],
@@ -178,13 +180,13 @@ fn by_singular_values(
     Ok(rank)
 }
 
-/// Rows or singular values below this part of the largest are rounding of zero.
+/// Fraction of the largest row or singular value below which one counts as zero.
 const LOST: f64 = 1e-12;
 
 /// Shortest x with the least ‖rows x − right‖, and the rank of the rows.
 fn minimum_norm(rows: DMatrix<f64>, right: &DVector<f64>) -> (DVector<f64>, usize) {
     let cables = rows.ncols();
-    // rows of numbers whose products overflow carry nothing
+    // rows whose products overflow count as zero
     let Some(decomposition) = svd(rows, true, true) else { return (DVector::zeros(cables), 0) };
     let values = &decomposition.singular_values;
     let least = LOST * values.max();

@@ -1,7 +1,8 @@
 //! Interface of a method of tension distribution: its search, its memory, its derivative.
 //!
-//! A problem goes through three stages ([`super::Solver`]): the method's own search; where that finds nothing, the exact verdict of the
-//! quadratic programme; then, where the method chooses among allowed tensions or has an answer without any, its refinement.
+//! A problem goes through three stages ([`super::Solver`]): the method's own search; if that finds no tensions, the
+//! exact verdict of the quadratic programme; then, if the method chooses among allowed tensions or gives tensions for
+//! an infeasible problem, its refinement.
 
 use std::fmt;
 
@@ -24,29 +25,29 @@ pub enum Status {
     Infeasible,
     /// Some tensions do, but the method, which is no exact search, did not find them.
     NotFound,
-    /// Rounding or overflow kept the search from a verdict: matrices with entries at the ends of their range.
+    /// Rounding or overflow prevented a verdict: matrices with entries at the ends of their range.
     Undecided,
 }
 
-/// Origin of a reason.
+/// Reason that tensions are not feasible.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Cause {
-    /// The certificate, or nothing.
+    /// The certificate if infeasible; no particular reason otherwise.
     Certificate,
     /// A cable (from 0) whose previous tension (N) is so far beyond its limits that one step does not reach them.
     OutOfReach { cable: usize, previous: f64, reach: f64, least: f64, largest: f64 },
-    /// Allowed tensions of so many dimensions that the faces of their set cannot be added up.
+    /// Allowed tensions whose set has this many dimensions, and more faces than can be added up.
     TooManyFaces { dimension: usize },
 }
 
-/// The balance that is asked for: Aᵀ f + w = 0.
+/// The balance to be kept: Aᵀ f + w = 0.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Problem<'a> {
     pub(super) structure_matrix: &'a DMatrix<f64>,
     pub(super) wrench: &'a [f64],
 }
 
-/// Question to a method.
+/// One problem, as a method sees it.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Task<'a> {
     pub(super) problem: Problem<'a>,
@@ -55,10 +56,10 @@ pub(super) struct Task<'a> {
     pub(super) reference: &'a [f64],
 }
 
-/// Answer of a method, to be written.
+/// Mutable parts of the answer that a method writes.
 #[derive(Debug)]
 pub(super) struct FoundTensions<'a> {
-    /// The limits in force.
+    /// The given limits, narrowed by the rates.
     pub(super) limits: &'a Limits,
     pub(super) tensions: &'a mut [f64],
     pub(super) status: &'a mut Status,
@@ -67,7 +68,7 @@ pub(super) struct FoundTensions<'a> {
 }
 
 impl FoundTensions<'_> {
-    /// Steps of a search, or `None` of one that did not settle.
+    /// Stores the steps of a search; `None` marks the answer as not found.
     pub(super) fn settle(&mut self, steps: Option<u32>) {
         match steps {
             Some(steps) => *self.iterations = steps,
@@ -76,17 +77,19 @@ impl FoundTensions<'_> {
     }
 }
 
-/// A method with its memory from one problem to the next. No stage claims memory, but where a closed form meets lost rank.
+/// A method with its memory from one problem to the next. Its functions claim no memory, except where a closed form
+/// meets lost rank.
 pub(super) trait Distribute: CloneBoxed + fmt::Debug + Send + Sync {
     /// Forgets the last problem.
     fn forget(&mut self) {}
 
-    /// Searches before the exact verdict is asked for; true if it found tensions within balance and limits, so that none is needed.
+    /// Searches before the exact programme runs; returns true if it found tensions within balance and limits, so that
+    /// the programme is not needed.
     fn search(&mut self, _task: &Task<'_>, _found: &mut FoundTensions<'_>) -> Result<bool, InputError> {
         Ok(false)
     }
 
-    /// Chooses after the exact verdict, which `found` has as its status; of an exact method it has the tensions of the programme, too.
+    /// Chooses tensions after the exact programme: `found` has its status and, for an exact method, its tensions.
     fn refine(
         &mut self,
         _task: &Task<'_>,
@@ -96,13 +99,14 @@ pub(super) trait Distribute: CloneBoxed + fmt::Debug + Send + Sync {
         Ok(())
     }
 
-    /// Derivative of chosen tensions in closed form; `None` of a method without, which is differentiated by differences.
+    /// Derivative of chosen tensions in closed form; `None` if the method has none, which is then differentiated by
+    /// central differences.
     fn derivative(&self, _chosen: &Chosen<'_>) -> Written {
         Ok(None)
     }
 }
 
-/// A copy of a method whose type is not known.
+/// Copies a method as a trait object.
 pub(super) trait CloneBoxed {
     fn clone_boxed(&self) -> Box<dyn Distribute>;
 }
@@ -119,7 +123,7 @@ impl Clone for Box<dyn Distribute> {
     }
 }
 
-/// Tensions that a method has chosen, the reference in the middle of the limits.
+/// Tensions that a method has chosen, with the reference in the middle of the limits.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Chosen<'a> {
     pub(super) problem: Problem<'a>,
@@ -128,13 +132,13 @@ pub(super) struct Chosen<'a> {
 }
 
 impl Chosen<'_> {
-    /// Cables that are on no limit: further from both than a fraction of the largest limit.
+    /// Cables on no limit: further from both than a fraction of the largest limit by amount.
     pub(super) fn between_limits(&self, fraction: f64) -> Vec<usize> {
         between(self.limits, self.tensions, fraction)
     }
 }
 
-/// Cables that are on no limit.
+/// Cables further from both limits than a fraction of the largest limit by amount.
 pub(super) fn between(limits: &Limits, tensions: &[f64], fraction: f64) -> Vec<usize> {
     let largest = limits.minimum().iter().chain(limits.maximum()).fold(0.0, |most: f64, limit| most.max(limit.abs()));
     let is_free = |cable: &usize| {
@@ -144,26 +148,27 @@ pub(super) fn between(limits: &Limits, tensions: &[f64], fraction: f64) -> Vec<u
     (0..tensions.len()).filter(is_free).collect()
 }
 
-/// Derivative of a method's answer.
+/// Derivative of the chosen tensions.
 pub(super) trait Derivative: fmt::Debug + Send + Sync {
-    /// Change of all tensions (N) when the column of one cable in the structure matrix and the wrench change so (rows of the matrix).
+    /// Change of all tensions (N) when one cable's column of the structure matrix and the wrench change by these
+    /// amounts (one entry per row of the matrix).
     fn change(&self, cable: usize, column: &[f64], wrench: &[f64]) -> DVector<f64>;
 
-    /// Change of all tensions (N) per newton of one cable's reference; zero for a method that is near to none.
+    /// Change of all tensions (N) per newton of one cable's reference; zero for a method without a reference.
     fn change_by_reference(&self, cable: usize) -> DVector<f64>;
 }
 
-/// A derivative in closed form, where the method has one.
+/// A derivative in closed form; `None` if the method has none.
 pub(super) type Written = Result<Option<Box<dyn Derivative>>, NoDerivative>;
 
-/// Tensions that no derivative leads away from.
+/// Reason that the chosen tensions have no derivative.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) enum NoDerivative {
     /// The cables between their limits cannot balance a small change.
     Pinned,
-    /// The allowed tensions leave the method nothing to choose.
+    /// The set of allowed tensions is too thin for a derivative.
     Thin,
-    /// A problem that the method refuses.
+    /// The method refuses the problem.
     Input(InputError),
 }
 

@@ -1,14 +1,14 @@
 //! Dykstra's alternating projections on the balanced tensions and on the limits (Boyle and Dykstra 1986).
 //!
-//! x ← P_balance(y), y ← P_limits(x + q), q ← x + q − y: with the correction q the points tend to the balanced tensions within
-//! limits that are nearest to the reference, those of the quadratic programme (without it to some allowed ones). The projection
-//! on the balance is p + H Hᵀ y, that on the limits cuts off.
+//! x ← P_balance(y), y ← P_limits(x + q), q ← x + q − y: with the correction q the points tend to the balanced tensions
+//! within limits that are nearest to the reference, the optimum of the quadratic programme (without q, to some allowed
+//! tensions). The projection on the balance is p + H Hᵀ y, the one on the limits clamps each tension.
 //!
-//! **Stop rule:** no tension of x misses its limits, and none differs from y, by more than 1e-9 of the largest limit; or
-//! 10 000 rounds. Where the allowed tensions are a thin set, rounds in which nothing seems to move are part of the method, so
-//! that "no change" is no stop rule. **Where it fails:** the rounds needed grow without bound as the angle between balance
-//! and limits closes, at the boundary of what is feasible; it then says so. **Continuity:** that of the optimum, to the stop
-//! rule. **Warm start:** none: another start would tend to another point.
+//! **Stop rule:** no tension of x misses its limits, and none differs from y, by more than 1e-9 of the largest limit;
+//! or 10 000 rounds. If the allowed tensions are a thin set, there are rounds in which the tensions hardly change, so
+//! that "no change" is no stop rule. **Where it fails:** the rounds needed grow without bound as the angle between
+//! balance and limits closes, at the boundary of the feasible loads; the status is then `NotFound`. **Continuity:**
+//! that of the optimum, to the stop rule. **Warm start:** none: another start would tend to another point.
 
 use super::affine::Affine;
 use super::distribute::{Chosen, Distribute, FoundTensions, Problem, Status, Task, Written};
@@ -17,10 +17,11 @@ use super::{InputError, Limits, nearest, quadratic};
 /// Rounds before giving up.
 const MAX_ROUNDS: u32 = 10_000;
 
-/// Rounds before it is asked whether there are tensions at all.
+/// Rounds before the quadratic programme decides whether there are allowed tensions.
 const FIRST_ROUNDS: u32 = 200;
 
-/// Tensions this near to a limit, relative to the largest, are on it: they end ten times as far from it as those of other methods.
+/// Distance from a limit, relative to the largest limit, below which a tension counts as on it: ten times that of other
+/// methods.
 pub(super) const ON_LIMIT: f64 = 1e-8;
 
 /// The method: balanced tensions and the search on them.
@@ -69,7 +70,7 @@ impl Distribute for Projections {
     }
 }
 
-/// State of the search: y, q and the rounds so far; x are the tensions of the caller.
+/// State of the search: y (`cut`), q (`correction`) and the rounds so far; x are the tensions of the caller.
 #[derive(Clone, Debug)]
 struct Search {
     cut: Vec<f64>,
@@ -82,14 +83,14 @@ impl Search {
         Self { cut: vec![0.0; cable_count], correction: vec![0.0; cable_count], rounds: 0 }
     }
 
-    /// Starts at the reference.
+    /// Starts at the balanced tensions nearest to the reference.
     fn begin(&mut self, balanced: &Affine, reference: &[f64], tensions: &mut [f64]) {
         balanced.nearest(reference, tensions);
         self.correction.fill(0.0);
         self.rounds = 0;
     }
 
-    /// Goes on for this many rounds; true once the tensions keep the limits.
+    /// Runs up to this many further rounds; true once the tensions keep the limits.
     fn run(&mut self, rounds: u32, balanced: &Affine, limits: &Limits, tensions: &mut [f64]) -> bool {
         // ten times the rounding of limits
         let tolerance = 10.0 * limits.tolerance();

@@ -9,7 +9,7 @@ use super::Limits;
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum InputError {
-    /// The structure matrix has another shape than asked for.
+    /// The structure matrix has another shape than the solver.
     #[error("expected a structure matrix of {expected_rows} × {expected_columns}, found {rows} × {columns}")]
     MatrixShape {
         /// Degrees of freedom n.
@@ -61,38 +61,38 @@ pub enum InputError {
         /// Room given.
         found: usize,
     },
-    /// An option that is a list has another length than asked for.
+    /// An option that is a list has a wrong length.
     #[error("expected {expected} {what}, found {found}")]
     OptionCount {
         /// Entries of the list, in words.
         what: &'static str,
-        /// Entries asked for.
+        /// Entries expected.
         expected: usize,
         /// Entries given.
         found: usize,
     },
-    /// An option has a value that means nothing.
+    /// An option has a value outside its range.
     #[error("the {what} is {value}; it has to be {expected}")]
     OptionValue {
-        /// Which one, with its unit.
+        /// Name of the option, with its unit.
         what: &'static str,
         /// The value given.
         value: f64,
-        /// The values that mean something.
+        /// The values allowed, in words.
         expected: &'static str,
     },
-    /// Rate limits or a reference that lies at the tensions of the step before, without these.
+    /// Rate limits, or a reference at the previous tensions, without previous tensions.
     #[error("rate limits, and a reference at the previous tensions, need the previous tensions")]
     NoPrevious,
-    /// NaN, infinite, or so large that its square is.
+    /// An input that is NaN, infinite, or so large that its square is.
     #[error("the {what} is not finite, or too large to calculate with")]
     NotFinite {
-        /// Which input.
+        /// Name of the input.
         what: &'static str,
     },
 }
 
-/// The matrix has the shape that a solver's memory was claimed for.
+/// Checks that the matrix has the shape for which a solver's memory was claimed.
 pub(super) fn check_shape(structure_matrix: &DMatrix<f64>, dof: usize, cable_count: usize) -> Result<(), InputError> {
     let (rows, columns) = structure_matrix.shape();
     if (rows, columns) == (dof, cable_count) {
@@ -101,7 +101,7 @@ pub(super) fn check_shape(structure_matrix: &DMatrix<f64>, dof: usize, cable_cou
     Err(InputError::MatrixShape { expected_rows: dof, expected_columns: cable_count, rows, columns })
 }
 
-/// Checks sizes only: numbers are checked where they are read anyway.
+/// Checks sizes only; numbers are checked where they are read.
 pub(super) fn check_sizes(
     structure_matrix: &DMatrix<f64>,
     wrench: &[f64],

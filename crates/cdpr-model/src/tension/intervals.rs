@@ -1,38 +1,41 @@
-//! How far each tension may go while all of them balance a load within limits: two linear programmes for each cable.
+//! Range of each tension while all of them balance a load within limits: two linear programmes for each cable.
 //!
-//! Aᵀ f + w = 0 is brought to f_B + T f_N = d by elimination with complete pivoting, rows divided by their length; what is
-//! left below a millionth of it counts as dependent, since poses are known no better. Then the simplex method for variables
-//! within limits (Dantzig 1963, Bland's rule, so that it ends) finds tensions that keep the limits, and from there the least and the
-//! largest of each cable. Limits may be infinite, and so may what is found.
+//! Aᵀ f + w = 0 is brought to f_B + T f_N = d by elimination with complete pivoting, rows divided by their length; a
+//! row whose remaining entries are below a millionth of its length counts as dependent, since poses are known no
+//! better. Then the simplex method for variables within limits (Dantzig 1963, with Bland's rule, so that it ends) finds
+//! tensions that keep the limits, and from there the least and the largest of each cable. Limits may be infinite, and
+//! so may the ranges.
 
 use nalgebra::DMatrix;
 
 use super::InputError;
 
-/// Share of a row's length below which what is left of it is said by other rows already.
+/// Entry, as a fraction of the row's length, below which a row depends on the rows before it.
 const DEPENDENT: f64 = 1e-6;
 
-/// Rounding of tensions, as a share of the largest number among load and limits.
+/// Rounding of tensions, as a fraction of the largest number among load and limits.
 const ROUNDING: f64 = 1e-10;
 
 /// Rounding of reduced costs and pivots, whose rows have the length 1.
 const FLAT: f64 = 1e-11;
 
-/// Steps for each programme, times the number of cables.
+/// Steps allowed for each programme, times the number of cables.
 const STEPS: usize = 200;
 
 /// Intervals of the tensions that balance a load.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Intervals {
-    /// Least and largest tension of each cable (N); infinite where nothing bounds it.
+    /// Least and largest tension of each cable (N); infinite if it has no bound.
     pub ranges: Vec<[f64; 2]>,
-    /// Dimension of the choice that the balance leaves: cables less the rank of the structure matrix.
+    /// Dimension of the set of balanced tensions: number of cables less the rank of the structure matrix.
     pub freedom: usize,
 }
 
-/// The interval of each tension within limits, one pair per cable (N); `None` where no tensions balance the wrench within them.
+/// The range of each tension within limits, one pair per cable (N); `None` if no tensions balance the wrench within
+/// them.
 ///
-/// The wrench has one component per row of the structure matrix (N, N·m). A limit may be infinite, the least not on both ends.
+/// The wrench has one component per row of the structure matrix (N, N·m). The least tensions must be finite, the
+/// largest may be infinite.
 pub fn intervals(
     structure_matrix: &DMatrix<f64>,
     wrench: &[f64],
@@ -63,7 +66,7 @@ pub fn intervals(
 /// A linear programme at one of its corners.
 struct Programme<'a> {
     limits: &'a [[f64; 2]],
-    /// T beside the identity in the columns of the basis.
+    /// T, with the identity in the columns of the basis.
     table: DMatrix<f64>,
     /// Cable of each row.
     basis: Vec<usize>,
@@ -73,7 +76,8 @@ struct Programme<'a> {
 }
 
 impl<'a> Programme<'a> {
-    /// The corner at which the cables beside the basis have their least tensions; `None` where dependent rows contradict each other.
+    /// The corner at which the cables outside the basis have their least tensions; `None` if dependent rows contradict
+    /// each other.
     fn new(structure_matrix: &DMatrix<f64>, wrench: &[f64], limits: &'a [[f64; 2]]) -> Option<Self> {
         let (rows, columns) = structure_matrix.shape();
         let mut table = structure_matrix.clone().insert_column(columns, 0.0);
@@ -105,7 +109,7 @@ impl<'a> Programme<'a> {
         Some(Self { limits, table, basis, tensions, tolerance: ROUNDING * scale })
     }
 
-    /// Goes to tensions within the limits; false where there are none.
+    /// Moves to tensions within the limits; false if there are none.
     fn enter_limits(&mut self) -> bool {
         for _ in 0..STEPS * self.tensions.len() {
             let miss: Vec<f64> = self.basis.iter().map(|&cable| self.miss(cable)).collect();
@@ -151,7 +155,7 @@ impl<'a> Programme<'a> {
         }
     }
 
-    /// The first cable beside the basis whose tension improves the aim of this slope, and which way it goes.
+    /// The first cable outside the basis whose tension improves the aim with this slope, and the sign of its change.
     fn entering(&self, slope: impl Fn(usize) -> f64) -> Option<(usize, f64)> {
         (0..self.tensions.len()).filter(|k| !self.basis.contains(k)).find_map(|k| {
             let [least, largest] = self.limits[k];
@@ -162,14 +166,14 @@ impl<'a> Programme<'a> {
         })
     }
 
-    /// Changes the tension of a cable beside the basis until a limit stops it; false where none does.
+    /// Changes the tension of a cable outside the basis until a limit stops it; false if no limit does.
     fn go(&mut self, entering: usize, direction: f64) -> bool {
         let [least, largest] = self.limits[entering];
         let (mut way, mut stop) = (largest - least, None);
         for (row, &cable) in self.basis.iter().enumerate() {
             let rate = -direction * self.table[(row, entering)];
             let [least, largest] = self.limits[cable];
-            // a tension beyond a limit stops there when it comes back
+            // a tension beyond a limit stops there on its way back
             let limit = match (rate > FLAT, rate < -FLAT, self.miss(cable)) {
                 (true, _, miss) if miss < 0.0 => least,
                 (true, _, 0.0) => largest,
@@ -202,14 +206,15 @@ impl<'a> Programme<'a> {
     }
 }
 
-/// Place of the largest entry in the rows from here on, the last column aside; `None` where all are small.
+/// Row and column of the largest entry from row `first` on, without the last column; `None` if it is at most
+/// `DEPENDENT`.
 fn largest_below(table: &DMatrix<f64>, first: usize) -> Option<(usize, usize)> {
     let places = (first..table.nrows()).flat_map(|row| (0..table.ncols() - 1).map(move |column| (row, column)));
     let best = places.max_by(|a, b| table[*a].abs().total_cmp(&table[*b].abs()))?;
     (table[best].abs() > DEPENDENT).then_some(best)
 }
 
-/// Makes a column that of the identity, with its 1 in this row.
+/// Turns a column into that of the identity, with its 1 in this row.
 fn pivot(table: &mut DMatrix<f64>, row: usize, column: usize) {
     let factor = 1.0 / table[(row, column)];
     table.row_mut(row).iter_mut().for_each(|entry| *entry *= factor);
@@ -231,7 +236,8 @@ mod tests {
         (-matrix * nalgebra::DVector::from_column_slice(tensions)).as_slice().to_vec()
     }
 
-    /// oKermorgant's cube: four cables to a platform of six degrees of freedom, of whose structure matrix three columns are independent.
+    /// The cube of oKermorgant: four cables on a platform of six degrees of freedom; three columns of its structure
+    /// matrix are independent.
     fn cube() -> (DMatrix<f64>, Vec<f64>) {
         let corners = [[-1.0, -1.0], [-1.0, 1.0], [1.0, 1.0], [1.0, -1.0]];
         let column = |[x, y]: [f64; 2]| {

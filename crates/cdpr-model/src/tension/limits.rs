@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use crate::robot::Robot;
 
-/// Numbers above this by amount cannot be calculated with: squares of tensions over small pivots still have to be finite (N).
+/// Largest number by amount that is accepted (N): squares of tensions over small pivots still have to be finite.
 pub(super) const LARGEST: f64 = 1e100;
 
 /// Tension limits, one pair per cable, at most 1e100 N by amount and in order.
@@ -12,13 +12,13 @@ pub(super) const LARGEST: f64 = 1e100;
 pub struct Limits {
     minimum: Vec<f64>,
     maximum: Vec<f64>,
-    /// Largest limit by amount (N): what "small" is measured against.
+    /// Largest limit by amount (N), to which tolerances are relative.
     scale: f64,
-    /// Norm of maximum − minimum (N): no two allowed distributions are further apart.
+    /// Norm of maximum − minimum (N): the largest possible distance between two allowed distributions.
     diameter: f64,
 }
 
-/// Limits that leave no tension to choose, or that are unknown.
+/// Limits that are out of order, not finite, or unknown.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum LimitsError {
@@ -53,7 +53,7 @@ pub enum LimitsError {
         /// Largest tension (N).
         maximum: f64,
     },
-    /// The robot's file does not say it.
+    /// The robot's file does not state a limit.
     #[error(
         "the tension limits of cable {cable} (\"{name}\") are unknown: the file of \"{robot}\" lacks {key}; add it, or give the limit for all cables"
     )]
@@ -100,7 +100,7 @@ impl Limits {
         Self::new(vec![minimum; cable_count], vec![maximum; cable_count])
     }
 
-    /// The limits that a robot's file states, or these for all its cables (N).
+    /// The limits that a robot's file states; a given minimum or maximum replaces them for all cables (N).
     pub fn of(robot: &Robot, minimum: Option<f64>, maximum: Option<f64>) -> Result<Self, LimitsError> {
         let (mut least, mut largest) = (Vec::new(), Vec::new());
         for (index, cable) in robot.cables.iter().enumerate() {
@@ -136,38 +136,38 @@ impl Limits {
         0.5 * (self.minimum[cable] + self.maximum[cable])
     }
 
-    /// True when every tension keeps its limits, within `tolerance` (N).
+    /// True if there is one tension per cable and every one keeps its limits, within `tolerance` (N).
     pub fn contain(&self, tensions: &[f64], tolerance: f64) -> bool {
         let within =
             |(index, &f): (usize, &f64)| f >= self.minimum[index] - tolerance && f <= self.maximum[index] + tolerance;
         tensions.len() == self.cable_count() && tensions.iter().enumerate().all(within)
     }
 
-    /// Rounding of tensions (N): a limit missed by less is kept.
+    /// Rounding of tensions (N), 1e-10 of the largest limit: a limit missed by less counts as kept.
     pub fn tolerance(&self) -> f64 {
         1e-10 * self.scale
     }
 
-    /// Memory for the limits of as many cables.
+    /// Memory for the limits of this many cables, all zero.
     pub(super) fn zero(cable_count: usize) -> Self {
         Self { minimum: vec![0.0; cable_count], maximum: vec![0.0; cable_count], scale: 0.0, diameter: 0.0 }
     }
 
-    /// Takes over other limits of as many cables, without claiming memory.
+    /// Copies other limits of the same number of cables, without claiming memory.
     pub(super) fn copy_from(&mut self, other: &Self) {
         self.minimum.copy_from_slice(&other.minimum);
         self.maximum.copy_from_slice(&other.maximum);
         (self.scale, self.diameter) = (other.scale, other.diameter);
     }
 
-    /// Narrows the limits to what tensions can reach from the previous ones; the first cable (from 0) that can reach none
-    /// of its allowed tensions stops it.
+    /// Narrows the limits to tensions that can be reached from the previous ones (N). The error is the first cable
+    /// (from 0) that can reach none of its allowed tensions.
     pub(super) fn narrow_around(&mut self, previous: &[f64], rates: &[f64], time_step: f64) -> Result<(), usize> {
         for (cable, (previous, rate)) in previous.iter().zip(rates).enumerate() {
             let reach = rate * time_step;
             let least = self.minimum[cable].max(previous - reach);
             let largest = self.maximum[cable].min(previous + reach);
-            // tensions that stand on a limit to rounding are not beyond it
+            // tensions on a limit to rounding are not beyond it
             if least > largest + self.tolerance() {
                 return Err(cable);
             }
@@ -178,7 +178,7 @@ impl Limits {
         Ok(())
     }
 
-    /// Sets the limits to other ones, narrower by this part of each range at both ends.
+    /// Sets the limits to `wide`, narrowed at both ends by this fraction of each range.
     pub(super) fn narrow_from(&mut self, wide: &Self, part: f64) {
         for cable in 0..wide.cable_count() {
             let margin = part * (wide.maximum[cable] - wide.minimum[cable]);
@@ -188,7 +188,7 @@ impl Limits {
         (self.scale, self.diameter) = (wide.scale, wide.diameter);
     }
 
-    /// Sets the limits to other ones, each times a factor of its cable.
+    /// Sets the limits to other ones, multiplied by one factor per cable.
     pub(super) fn scale_from(&mut self, other: &Self, factors: &[f64]) {
         let (mut scale, mut square) = (0.0_f64, 0.0);
         for (cable, factor) in factors.iter().enumerate() {
@@ -200,13 +200,13 @@ impl Limits {
         (self.scale, self.diameter) = (scale, square.sqrt());
     }
 
-    /// Puts tensions that miss a limit by rounding on it.
+    /// Clamps tensions to the limits, for tensions that miss them by rounding.
     pub(super) fn clamp(&self, tensions: &mut [f64]) {
         let limits = self.minimum.iter().zip(&self.maximum);
         tensions.iter_mut().zip(limits).for_each(|(f, (least, largest))| *f = f.clamp(*least, *largest));
     }
 
-    /// The limit that tensions of these cables miss most: cable, limit (N). None where none is missed by more than rounding.
+    /// Cable (from 0) and limit (N) that these tensions miss most; `None` if none is missed by more than rounding.
     pub(super) fn most_missed(&self, tensions: &[f64]) -> Option<(usize, f64)> {
         let (mut worst, mut found) = (self.tolerance(), None);
         for (cable, f) in tensions.iter().enumerate() {
@@ -222,7 +222,7 @@ impl Limits {
         found
     }
 
-    /// A sentence per cable that is beyond a limit.
+    /// Returns a sentence for each cable beyond a limit.
     pub(super) fn missed(&self, tensions: &[f64]) -> Vec<String> {
         let tolerance = self.tolerance();
         let beyond = |(index, &f): (usize, &f64)| {

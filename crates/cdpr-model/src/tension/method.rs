@@ -1,7 +1,7 @@
 //! The list of all methods: one entry each.
 //!
-//! To add a method: its file with an `impl Distribute`, an entry here, a test. Help, schemas, errors and the book's table are made
-//! of, or compared with, what the entry says.
+//! To add a method: its file with an `impl Distribute`, an entry here, a test. Help, schemas, errors and the book's
+//! table are made from the entry, or compared with it.
 
 use std::fmt;
 use std::str::FromStr;
@@ -23,22 +23,22 @@ struct Entry {
     stays_near_reference: bool,
     /// Least p of the p-norm that it minimizes; `None` of a method that minimizes none.
     least_p: Option<f64>,
-    /// Memory for this many cables and degrees of freedom.
+    /// Makes the method's memory for this many cables and degrees of freedom.
     make: fn(usize, usize) -> Box<dyn Distribute>,
 }
 
-/// Tensions that a method gives where none keep balance and limits.
+/// Tensions that a method gives if none keep balance and limits.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(super) enum Fallback {
     /// None for use.
     Nothing,
     /// Balanced tensions beyond their limits.
     BeyondLimits,
-    /// Tensions within their limits that leave a part of the load.
+    /// Tensions within their limits that balance only a part of the load.
     PartOfLoad,
 }
 
-/// Entry of a method that finds tensions wherever there are any, near to no reference, and has none where there are none.
+/// Defaults of an entry: an exact method without a reference, and without tensions for an infeasible problem.
 const EXACT: Entry = Entry {
     name: "",
     summary: "",
@@ -166,28 +166,28 @@ impl Method {
         &METHODS[self as usize]
     }
 
-    /// Tensions that the method chooses, in one line.
+    /// One line on the tensions that the method chooses.
     pub fn summary(self) -> &'static str {
         self.entry().summary
     }
 
-    /// True when the method finds tensions wherever there are any. The others may miss them, and then say so
-    /// ([`super::Status::NotFound`]).
+    /// True if the method finds tensions whenever there are any. The others may miss them, and then return
+    /// [`super::Status::NotFound`].
     pub fn is_exact(self) -> bool {
         self.entry().is_exact
     }
 
-    /// Tensions that it gives where none keep balance and limits.
+    /// Tensions that the method gives if none keep balance and limits.
     pub(super) fn fallback(self) -> Fallback {
         self.entry().fallback
     }
 
-    /// True when its tensions leave a part of the load where none balance it within limits.
+    /// True if its tensions leave a part of the load unbalanced when none balance it within the limits.
     pub fn may_leave_load(self) -> bool {
         self.fallback() == Fallback::PartOfLoad
     }
 
-    /// True when it stays near to the reference ([`super::Options::reference`]); the others have an aim of their own.
+    /// True if its tensions stay near to the reference ([`super::Options::reference`]); the others do not use it.
     pub fn stays_near_reference(self) -> bool {
         self.entry().stays_near_reference
     }

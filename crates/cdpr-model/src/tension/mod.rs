@@ -1,10 +1,10 @@
 //! Cable tensions that balance a load: Aᵀ f + w = 0 read for f.
 //!
-//! With more cables than degrees of freedom many tensions balance the same load. [`Method`] names the ways to choose some, and
-//! [`Solver`] goes any of them: near to a reference ([`quadratic`], [`closed_form`]), low or high, in the middle of what is
-//! allowed, or as near to the load as the limits permit. All work on a structure matrix (n×m) and the wrench in its n rows, so
-//! that any robot and load will do. Where no tensions keep the limits, every method says which limits of which cables exclude
-//! the load, with a proof ([`quadratic::Certificate`]).
+//! With more cables than degrees of freedom many tensions balance the same load. [`Method`] lists the ways to choose
+//! among them, and [`Solver`] runs any of them: near to a reference ([`quadratic`], [`closed_form`]), low or high, in
+//! the middle of the allowed set, or as near to the load as the limits permit. All take a structure matrix (n×m) and a
+//! wrench with n rows, of any robot and load. If no tensions keep the limits, every method says which limits of which
+//! cables exclude the load, with a proof ([`quadratic::Certificate`]).
 
 mod affine;
 mod answer;

@@ -1,14 +1,15 @@
-//! Tensions within the limits whose wrench is the nearest to the one asked for.
+//! Tensions within the limits with the wrench nearest to the required one.
 //!
-//! min ‖S (Aᵀ f + w)‖ with f_min ≤ f ≤ f_max, where S divides moments by a length (see [`super::Options::lengths`]): least
-//! squares with bounded unknowns (Stark and Parker 1995). Cables start at their limits; the one whose release shrinks
-//! the residual fastest is set free, the free ones are solved for by orthogonal columns, and those that run into a limit stay
-//! there, until no cable has anything to gain. The wrench is unique and follows the load continuously; of the tensions that give it,
-//! those nearest to the reference are taken by the quadratic programme. Where the load can be balanced, the answer is that
-//! programme's.
+//! min ‖S (Aᵀ f + w)‖ with f_min ≤ f ≤ f_max, where S divides moments by a length (see [`super::Options::lengths`]):
+//! least squares with bounded unknowns (Stark and Parker 1995). Cables start at their limits; the one whose release
+//! shrinks the residual fastest is freed, the free ones are solved for by orthogonal columns, and those that run into a
+//! limit stay there, until no release shrinks the residual. The wrench is unique and follows the load continuously; of
+//! the tensions that give it, the quadratic programme takes those nearest to the reference. If the load can be
+//! balanced, the answer is the optimum of that programme.
 //!
-//! **Stop rule:** no release gains more than rounding, 1e-10 of the largest terms. **Continuity:** the wrench is continuous (a
-//! projection on a convex set), and so are the tensions while the rank stays. **Warm start:** none of the least squares.
+//! **Stop rule:** no release gains more than rounding, 1e-10 of the largest terms. **Continuity:** the wrench is
+//! continuous (a projection on a convex set), and so are the tensions while the rank stays. **Warm start:** none for
+//! the least squares.
 
 use nalgebra::DMatrix;
 
@@ -16,10 +17,10 @@ use super::affine::{add_scaled, dot};
 use super::distribute::{Chosen, Distribute, FoundTensions, ON_LIMIT, Problem, Status, Task, Written};
 use super::{InputError, Limits, nearest, quadratic};
 
-/// Releases before giving up, per cable.
+/// Releases allowed, per cable.
 const MAX_RELEASES: usize = 30;
 
-/// Place of a cable's tension within its limits.
+/// Position of a cable's tension within its limits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Place {
     Least,
@@ -31,18 +32,18 @@ enum Place {
 #[derive(Clone, Debug)]
 pub(super) struct NearestWrench {
     dof: usize,
-    /// S Aᵀ by columns, and what is left of the load: S (Aᵀ f + w).
+    /// S Aᵀ by columns, and the residual S (Aᵀ f + w).
     matrix: DMatrix<f64>,
     residual: Vec<f64>,
     places: Vec<Place>,
-    /// Cables that are free, in the order of their orthogonal columns Q, and R by columns of n.
+    /// Free cables, in the order of their orthogonal columns Q, and R by columns of n entries.
     free: Vec<usize>,
     orthogonal: Vec<f64>,
     triangle: Vec<f64>,
     step: Vec<f64>,
-    /// The wrench of the tensions.
+    /// The wrench that the tensions balance (N, N·m).
     wrench: Vec<f64>,
-    /// Cables that rounding alone would release.
+    /// Cables that are not released because only rounding would gain.
     barred: Vec<bool>,
 }
 
@@ -62,7 +63,7 @@ impl NearestWrench {
         }
     }
 
-    /// Writes the tensions; returns the releases.
+    /// Writes the tensions; returns the number of releases.
     fn run(
         &mut self,
         problem: &Problem<'_>,
@@ -109,7 +110,7 @@ impl NearestWrench {
         }
     }
 
-    /// The cable at a limit whose way inside shrinks the residual fastest, per newton of its pull.
+    /// The cable at a limit whose release shrinks the residual fastest, per newton of its pull.
     fn most_gaining(&self, size: f64) -> Option<usize> {
         let (mut best, mut found) = (1e-10 * size, None);
         for (cable, column) in self.matrix.as_slice().chunks_exact(self.dof).enumerate() {
@@ -125,7 +126,7 @@ impl NearestWrench {
         found
     }
 
-    /// Adds a cable to the free ones; false where its pull depends on theirs.
+    /// Frees a cable; false if its pull depends on those of the free ones.
     fn release(&mut self, cable: usize) -> bool {
         let (dof, count) = (self.dof, self.free.len());
         if count == dof || !self.orthogonalize(cable, count) {
@@ -161,7 +162,8 @@ impl NearestWrench {
         true
     }
 
-    /// Solves for the free cables, and puts those on a limit that run into it, until none does.
+    /// Solves for the free cables and moves towards the solution; cables that run into a limit stay there, until none
+    /// does.
     fn settle(&mut self, wrench: &[f64], scale: &impl Fn(usize) -> f64, limits: &Limits, tensions: &mut [f64]) {
         while !self.free.is_empty() {
             self.write_step();
@@ -169,7 +171,7 @@ impl NearestWrench {
             for (place, &cable) in self.free.iter().enumerate() {
                 let (f, step) = (tensions[cable], self.step[place]);
                 let limit = if step < 0.0 { limits.minimum()[cable] } else { limits.maximum()[cable] };
-                // the way to the limit, zero for a cable that stands on it
+                // fraction of the step up to the limit, zero for a cable that stands on it
                 let way = (limit - f) / step;
                 if step != 0.0 && way < part {
                     (part, blocking) = (way.max(0.0), Some(place));
@@ -186,7 +188,7 @@ impl NearestWrench {
             let is_low = self.step[place] < 0.0;
             self.places[cable] = if is_low { Place::Least } else { Place::Largest };
             tensions[cable] = if is_low { limits.minimum()[cable] } else { limits.maximum()[cable] };
-            // one that is back where it came from would be released for ever
+            // a cable that returns at once to its limit would be released for ever
             self.barred[cable] = part == 0.0;
             self.write_rest(wrench, scale, tensions);
             for place in place..self.free.len() {
@@ -195,7 +197,7 @@ impl NearestWrench {
         }
     }
 
-    /// The change of the free tensions that leaves least of the residual: R step = −Qᵀ residual.
+    /// Writes the change of the free tensions with the least residual: R step = −Qᵀ residual.
     fn write_step(&mut self) {
         let (dof, count) = (self.dof, self.free.len());
         for place in (0..count).rev() {
@@ -209,7 +211,7 @@ impl NearestWrench {
 }
 
 impl NearestWrench {
-    /// Of the tensions that give the same wrench, takes the nearest to the reference.
+    /// Replaces the tensions by those nearest to the reference that give the same wrench.
     fn take_nearest_to_reference(
         &mut self,
         task: &Task<'_>,
@@ -246,7 +248,7 @@ impl Distribute for NearestWrench {
         Ok(())
     }
 
-    /// Of balanced tensions.
+    /// Derivative of balanced tensions.
     fn derivative(&self, chosen: &Chosen<'_>) -> Written {
         nearest::derivative(chosen, ON_LIMIT)
     }

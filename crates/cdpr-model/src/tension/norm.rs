@@ -1,18 +1,18 @@
-//! The lowest and the highest tensions, by a p-norm: `minimum` is min ‖f‖ₚ, `maximum` is min ‖f_max − f‖ₚ, both within balance
-//! and limits, 1 ≤ p ≤ 8 (Verhoeven 2004; Gosselin and Grenier 2011).
+//! The lowest and the highest tensions, by a p-norm: `minimum` is min ‖f‖ₚ, `maximum` is min ‖f_max − f‖ₚ, both within
+//! balance and limits, 1 ≤ p ≤ 8 (Verhoeven 2004; Gosselin and Grenier 2011).
 //!
-//! `maximum` measures what is missing to the largest tensions: the largest norm of f itself would be a corner of the set, hard to
-//! find and jumping with the load. All problems are convex and made of exact quadratic programmes:
+//! `maximum` measures the distance to the largest tensions: the largest norm of f itself would be a corner of the set,
+//! hard to find and jumping with the load. All problems are convex and solved by exact quadratic programmes:
 //!
 //! * p = 2: one programme with its reference at 0 or f_max.
-//! * p = 1: the linear programme min Σ f or max Σ f, by proximal points (Rockafellar 1976): each step is the programme with the
-//!   last tensions, moved down or up by an amount that grows, as its reference. A step that changes nothing proves the optimum, and
-//!   it comes after finitely many, mostly two or three. The tensions are pulls, so that a least limit below 0 counts with
-//!   its sign. Where several tensions have the same sum, the answer is the one that the steps reach from the tensions nearest to the
-//!   reference.
-//! * else: Newton's method, each step a programme in the metric of the second derivatives, with a line search. It ends when the
-//!   tensions change by less than 1e-8 of the largest limit, or Σ |f|ᵖ has less than 1e-13 of itself to fall
-//!   (1e-8 after 200 steps).
+//! * p = 1: the linear programme min Σ f or max Σ f, by proximal points (Rockafellar 1976): each step is the programme
+//!   with the last tensions, moved down or up by an amount that grows, as its reference. A step that changes nothing
+//!   proves the optimum, and it comes after finitely many, mostly two or three. The tensions are pulls, so that a least
+//!   limit below 0 counts with its sign. If several tensions have the same sum, the answer is the one that the steps
+//!   reach from the tensions nearest to the reference.
+//! * otherwise: Newton's method, each step a programme in the metric of the second derivatives, with a line search. It
+//!   ends when the tensions change by less than 1e-8 of the largest limit, or Σ |f|ᵖ can fall by less than 1e-13 of
+//!   itself (1e-8 after 200 steps).
 //!
 //! **Continuity:** one answer that follows the load continuously for p > 1; jumps between corners for p = 1. **Warm
 //! start:** the active limits of the last programme; the answer changes by rounding only.
@@ -24,18 +24,19 @@ use super::quadratic::{self, Status};
 use super::response::optimum;
 use super::{InputError, Limits};
 
-/// Steps before giving up.
+/// Steps allowed.
 const MAX_STEPS: u32 = 200;
-/// Change of tensions, as a part of the largest limit, below which Newton's method has settled.
+/// Change of tensions, as a fraction of the largest limit, below which Newton's method has settled.
 const SETTLED: f64 = 1e-8;
-/// Part of Σ |f|ᵖ that is not worth a step: tensions that hardly count in a large p are then where they may stay.
+/// Fraction of Σ |f|ᵖ below which a further decrease ends the search: tensions that hardly count in a large p may then
+/// keep their values.
 const NO_GAIN: f64 = 1e-13;
-/// The same after all steps: tensions that hardly count may go on to change.
+/// The same fraction once all steps are used up: tensions that hardly count may still change then.
 const LITTLE_GAIN: f64 = 1e-8;
-/// The weights of cables in one programme differ by no more than this.
+/// Least weight of a cable in one programme; the largest is its reciprocal.
 const LEAST_WEIGHT: f64 = 1e-6;
 
-/// Which end of the limits the norm is taken from.
+/// Tensions from which the norm measures the distance.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Extreme {
     /// ‖f‖
@@ -77,7 +78,7 @@ impl ExtremeNorm {
         }
     }
 
-    /// Moves allowed tensions to the optimum; returns the programmes solved, `None` if they did not settle.
+    /// Moves allowed tensions to the optimum; returns the number of programmes solved, `None` if they did not settle.
     fn run(
         &mut self,
         problem: &Problem<'_>,
@@ -96,7 +97,7 @@ impl ExtremeNorm {
             return Ok(None);
         }
         tensions.copy_from_slice(&found.tensions);
-        // large exponents are approached by doubling: Newton's method is slow from afar
+        // large exponents are approached by doubling: Newton's method converges slowly from far away
         let (mut exponent, mut steps) = (2.0, 1);
         while exponent != p {
             exponent = if p < exponent { p } else { p.min(2.0 * exponent) };
@@ -118,7 +119,7 @@ impl ExtremeNorm {
         let mut factor = 2.0;
         for step in 1..=MAX_STEPS {
             let away = factor * unit;
-            // edges along which the sum hardly changes take a long way; more would be lost in rounding
+            // along edges on which the sum hardly changes the steps must be long; beyond this factor rounding dominates
             factor = f64::min(4.0 * factor, 1e5);
             self.reference.iter_mut().zip(tensions.iter()).for_each(|(reference, f)| *reference = f + away);
             let found = self.qp.solve(problem.structure_matrix, problem.wrench, limits, Some(&self.reference))?;
@@ -141,7 +142,7 @@ impl ExtremeNorm {
         p: f64,
         tensions: &mut [f64],
     ) -> Result<Option<u32>, InputError> {
-        // tolerances are parts of the largest limit
+        // tolerances are relative to the largest limit
         let settled = SETTLED * 1e10 * limits.tolerance();
         let mut last_gain = f64::INFINITY;
         for step in 1..=MAX_STEPS {
@@ -157,8 +158,8 @@ impl ExtremeNorm {
         Ok((last_gain <= LITTLE_GAIN).then_some(MAX_STEPS))
     }
 
-    /// Writes the optimum of the quadratic model at these tensions to `next`: a programme in f √weight. False where all
-    /// tensions are at the target.
+    /// Writes the optimum of the quadratic model at these tensions to `next`, by a programme in f √weight. False if all
+    /// tensions are at the target, or the programme is not feasible.
     fn model(&mut self, problem: &Problem<'_>, limits: &Limits, p: f64, tensions: &[f64]) -> Result<bool, InputError> {
         let away = |cable: usize, f: f64| f - self.target(limits, cable);
         let furthest = tensions.iter().enumerate().fold(0.0_f64, |most, (cable, f)| most.max(away(cable, *f).abs()));
@@ -178,7 +179,7 @@ impl ExtremeNorm {
             }
         }
         self.limits.scale_from(limits, &self.weights);
-        // the columns are other ones at every step: the limits that were active last time are a start like any other
+        // the columns change at every step: the limits that were active last time are a start like any other
         let found = self.qp.solve(&self.matrix, problem.wrench, &self.limits, Some(&self.reference))?;
         if found.status != Status::Feasible {
             return Ok(false);
@@ -189,8 +190,8 @@ impl ExtremeNorm {
         Ok(true)
     }
 
-    /// Goes towards `next` as far as the norm falls enough; returns the largest change of a tension (N), and by which part of
-    /// itself Σ |f|ᵖ was to fall.
+    /// Moves towards `next` as far as the norm falls enough; returns the largest change of a tension (N), and the
+    /// predicted decrease of Σ |f|ᵖ as a fraction of it.
     fn search_line(&self, limits: &Limits, p: f64, tensions: &mut [f64]) -> (f64, f64) {
         let target = |cable: usize| self.target(limits, cable);
         let furthest =
@@ -234,7 +235,7 @@ impl Distribute for ExtremeNorm {
         Ok(())
     }
 
-    /// With p = 2.
+    /// The derivative for p = 2.
     fn derivative(&self, chosen: &Chosen<'_>) -> Written {
         optimum::nearest(chosen, chosen.between_limits(ON_LIMIT), &|cable| self.target(chosen.limits, cable))
     }

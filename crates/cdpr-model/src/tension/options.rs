@@ -1,9 +1,9 @@
-//! Wishes of a distribution beside balance and limits.
+//! Options of a distribution besides balance and limits.
 
 use super::limits::can_be_calculated_with;
 use super::{InputError, Limits};
 
-/// Tensions that the chosen ones should be near to.
+/// Tensions to which the chosen ones are to be near.
 #[derive(Clone, Copy, Debug, PartialEq, Default)]
 pub enum Reference<'a> {
     /// f_m = ½ (f_min + f_max), of the cables' own limits.
@@ -11,30 +11,32 @@ pub enum Reference<'a> {
     Middle,
     /// The tensions of the step before ([`Options::previous`]).
     Previous,
-    /// These, one per cable (N).
+    /// The given tensions, one per cable (N).
     Given(&'a [f64]),
 }
 
-/// Wishes; `Options::default()` has none.
+/// Options of a distribution; `Options::default()` asks for no rates, p = 2 and the middle of the limits as reference.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Options<'a> {
-    /// Tensions that methods stay near to which do ([`super::Method::stays_near_reference`]). The others have an aim of their own.
+    /// Tensions to which methods with a reference stay near ([`super::Method::stays_near_reference`]). The others do
+    /// not use it.
     pub reference: Reference<'a>,
     /// Tensions of the step before, one per cable (N).
     pub previous: Option<&'a [f64]>,
-    /// How fast tensions may change, one number per cable (N/s, 0 and more): together with the previous tensions and
-    /// the time step they narrow the limits to [previous − rate · Δt, previous + rate · Δt].
+    /// Largest change of tension per time, one number per cable (N/s, 0 or more): with the previous tensions and the
+    /// time step it narrows the limits to [previous − rate · Δt, previous + rate · Δt].
     pub rates: Option<&'a [f64]>,
     /// Δt, the time since the previous tensions (s).
     pub time_step: f64,
-    /// The p of methods that minimize a p-norm, from [`super::Method::least_p`] to 8. The default 2 gives one answer that follows the load continuously;
-    /// 1 sums the tensions up and jumps between corners of what is allowed.
+    /// The p of methods that minimize a p-norm, from [`super::Method::least_p`] to 8. The default 2 gives one answer
+    /// that follows the load continuously; 1 adds the tensions up, and the answer jumps between corners of the allowed
+    /// set.
     pub p: f64,
-    /// Smoothing width of `smooth`: part of half the largest range by which a tension stays away from a limit that p = 2 alone would
-    /// put it on, from 1e-4 to 1.
+    /// Smoothing width of `smooth`, from 1e-4 to 1: the fraction of half the largest range by which a tension stays
+    /// away from a limit that it would just touch with p = 2 alone.
     pub smoothing: f64,
-    /// Divisors of the rows of the wrench where forces are weighed against moments (`nearest-wrench`): 1 for forces and a
-    /// length for moments (m). By default 1 for all: 1 N·m then counts as much as 1 N.
+    /// Divisors of the rows of the wrench where forces are weighed against moments (`nearest-wrench`): 1 for forces and
+    /// a length for moments (m). `None` divides by 1 everywhere: 1 N·m then counts as much as 1 N.
     pub lengths: Option<&'a [f64]>,
 }
 
@@ -56,7 +58,7 @@ impl Default for Options<'_> {
 pub(super) const LARGEST_P: f64 = 8.0;
 
 impl Options<'_> {
-    /// Sizes and values, whatever the method.
+    /// Checks sizes and values, for any method.
     pub(super) fn check(&self, cable_count: usize, dof: usize) -> Result<(), InputError> {
         let given = match self.reference {
             Reference::Given(reference) => Some(reference),
@@ -108,7 +110,7 @@ impl Options<'_> {
         }
     }
 
-    /// Writes the reference tensions, in the middle of these limits where none are given.
+    /// Writes the reference tensions (N): by default the middle of these limits.
     pub(super) fn write_reference(&self, limits: &Limits, reference: &mut [f64]) {
         match (self.reference, self.previous) {
             (Reference::Given(given), _) => reference.copy_from_slice(given),

@@ -2,14 +2,14 @@
 
 use super::affine::{add_scaled, dot};
 
-/// Half-spaces a·λ ≤ b with ‖a‖ = 1, and memory for those of its facets, of their facets and so on.
+/// Half-spaces a·λ ≤ b with ‖a‖ = 1, with memory for those of its facets, of their facets and so on.
 #[derive(Clone, Debug)]
 pub(super) struct Polytope {
     /// One level per dimension: level d has half-spaces of dimension d + 1.
     levels: Vec<Level>,
-    /// How many levels are in use.
+    /// Number of levels in use.
     dimension: usize,
-    /// Half-spaces of faces that may still be looked at.
+    /// Half-spaces of faces that may still be visited before the recursion gives up.
     work: u64,
 }
 
@@ -24,9 +24,9 @@ pub(super) enum Centroid<'a> {
     TooManyFaces,
 }
 
-/// Half-spaces of faces that are looked at before giving up: some seconds.
+/// Half-spaces of faces that are visited before giving up: some seconds' work.
 const MOST_WORK: u64 = 400_000_000;
-/// Dimensions beyond which no set is worth a beginning: each takes about twenty times as long as the one before.
+/// Largest dimension that is tried: each takes about twenty times as long as the one before.
 const MOST_DIMENSIONS: usize = 8;
 
 /// The half-spaces of one face, in coordinates of its own.
@@ -36,17 +36,18 @@ struct Level {
     normals: Vec<f64>,
     /// Distances of their planes from the origin.
     offsets: Vec<f64>,
-    /// Nothing of the face lies further from the origin.
+    /// Upper bound on the distance of the face's points from the origin.
     reach: f64,
     centre: Vec<f64>,
     sum: Vec<f64>,
     row: Vec<f64>,
-    /// Householder vector v and 2/‖v‖² that take the last axis to the normal of the facet in hand, up to the sign.
+    /// Householder vector v and 2/‖v‖² of the reflection that takes the last axis to the normal of the current facet,
+    /// up to the sign.
     reflector: Vec<f64>,
     factor: f64,
 }
 
-/// Distances below this, in units of the whole set, are rounding.
+/// Distances below this, relative to the size of the whole set, are rounding.
 const ROUNDING: f64 = 1e-12;
 /// Normals that differ by less than this angle are parallel.
 const PARALLEL: f64 = 1e-9;
@@ -71,7 +72,7 @@ impl Polytope {
         }
     }
 
-    /// Starts a polytope around the origin within the unit ball.
+    /// Starts a polytope around the origin, inside the unit ball.
     pub(super) fn begin(&mut self, dimension: usize) {
         self.claim(dimension);
         self.dimension = dimension;
@@ -79,15 +80,15 @@ impl Polytope {
         self.levels[dimension - 1].clear(1.0);
     }
 
-    /// Adds a·λ ≤ b; the normal may have any length, the origin lies inside.
+    /// Adds a·λ ≤ b; the normal may have any length, and the origin lies inside.
     pub(super) fn add(&mut self, normal: &[f64], offset: f64) {
-        // a cable that nothing can move
+        // a shorter normal belongs to a cable whose tension is fixed
         if dot(normal, normal).sqrt() > PARALLEL {
             self.levels[self.dimension - 1].add(normal, offset.max(0.0));
         }
     }
 
-    /// The centroid, where there is a volume and its faces can be counted.
+    /// The centroid, if the set has a volume and not too many faces.
     pub(super) fn centroid(&mut self) -> Centroid<'_> {
         let dimension = self.dimension;
         if dimension > MOST_DIMENSIONS {
@@ -108,7 +109,7 @@ impl Level {
         self.reach = reach;
     }
 
-    /// Adds a half-space, unless it holds all of the face anyway; false when it holds nothing of it.
+    /// Adds a half-space unless it contains the whole face; false if it contains no point of it.
     fn add(&mut self, normal: &[f64], offset: f64) -> bool {
         let length = dot(normal, normal).sqrt();
         let offset = offset / length;
@@ -123,7 +124,7 @@ impl Level {
     }
 }
 
-/// Volume of the last level's face; `None` if the work is used up; its centroid is left in `centre`.
+/// Volume of the last level's face, `None` if the work is used up; writes its centroid to `centre`.
 fn measure(levels: &mut [Level], work: &mut u64) -> Option<f64> {
     let Some((face, below)) = levels.split_last_mut() else { return Some(0.0) };
     let Some(next) = below.len().checked_sub(1) else { return Some(face.measure_segment()) };
@@ -160,8 +161,8 @@ impl Level {
         (high - low).max(0.0)
     }
 
-    /// Writes the half-spaces of a facet around the foot of the origin on it; false where it is empty, or the same as an
-    /// earlier one.
+    /// Writes the half-spaces of a facet around the foot of the perpendicular from the origin; false if the facet is
+    /// empty, or the same as an earlier one.
     fn write_facet(&mut self, facet: usize, target: &mut Level) -> bool {
         let dimension = self.centre.len();
         let offset = self.offsets[facet];
@@ -194,7 +195,7 @@ impl Level {
         true
     }
 
-    /// Adds a point of the facet in hand, of which the facet's coordinates are known, to the sum.
+    /// Adds a point of the current facet, given in the facet's coordinates, to the weighted sum.
     fn add_place(&mut self, facet: usize, coordinates: &[f64], weight: f64) {
         let dimension = self.centre.len();
         add_scaled(&mut self.sum, weight * self.offsets[facet], &self.normals[facet * dimension..][..dimension]);

@@ -1,12 +1,12 @@
 //! The puncture method (Müller, Reichert and Bruckmann 2015): low tensions without a search.
 //!
-//! The minimum-norm tensions that balance the load, −A⁺ᵀ w, have the least norm and mostly break the lower limits. The way from
-//! there to the (improved) closed form stays balanced; the first point of it that keeps all limits is taken. Where the
-//! minimum-norm tensions keep the limits themselves, they are the answer.
+//! The minimum-norm tensions that balance the load, −A⁺ᵀ w, mostly miss the lower limits. The segment from there to the
+//! (improved) closed form stays balanced; the answer is its first point that keeps all limits. If the minimum-norm
+//! tensions keep the limits themselves, they are the answer.
 //!
-//! **Where it fails:** where the improved closed form does. **Continuity:** continuous wherever that is; with kinks where
-//! another cable is the one that stands at its limit. **Warm start:** none. **Derivative:** of both ends of the way, and of the
-//! cable that stands at its limit there.
+//! **Where it fails:** where the improved closed form does. **Continuity:** continuous wherever that is; with kinks
+//! where another cable becomes the last one to reach its limit. **Warm start:** none. **Derivative:** from both ends of
+//! the segment, and from the cable that reaches its limit last.
 
 use nalgebra::DVector;
 
@@ -17,7 +17,7 @@ use super::distribute::{
 use super::response::optimum::Optimum;
 use super::{InputError, Limits, closed_form, improved_closed_form};
 
-/// Memory for the solutions of the balance and the shortest of them.
+/// Memory for the solutions of the balance and for the one of minimum norm.
 #[derive(Clone, Debug)]
 pub(super) struct Puncture {
     balanced: Affine,
@@ -43,7 +43,7 @@ impl Distribute for Puncture {
     }
 }
 
-/// Writes the tensions; true when they keep the limits. `minimum_norm` is memory for one number per cable.
+/// Writes the tensions; true if they keep the limits. `minimum_norm` is memory for one number per cable.
 fn search(
     balanced: &mut Affine,
     limits: &Limits,
@@ -73,11 +73,12 @@ fn search(
 /// Derivative of the first point within the limits.
 #[derive(Clone, Debug)]
 struct Follower {
-    /// Of the minimum-norm tensions, and of the improved closed form.
+    /// Derivatives of the minimum-norm tensions, and of the improved closed form.
     ends: [Optimum; 2],
-    /// From the minimum-norm tensions to the improved closed form (N).
+    /// Vector from the minimum-norm tensions to the improved closed form (N).
     way: Vec<f64>,
-    /// Part of the way that is gone, and the cable that is on its limit there; `None` if the minimum-norm tensions keep the limits.
+    /// Fraction of the segment up to the answer, and the cable that is on its limit there; `None` if the minimum-norm
+    /// tensions keep the limits.
     at: Option<(f64, usize)>,
 }
 
@@ -104,7 +105,8 @@ impl Follower {
     }
 }
 
-/// The minimum-norm tensions and the improved closed form, those within limits cut at them.
+/// The minimum-norm tensions and the improved closed form (N); those that keep the limits to rounding are clamped to
+/// them.
 fn ends(problem: &Problem<'_>, limits: &Limits) -> Result<[Vec<f64>; 2], InputError> {
     let Problem { structure_matrix, wrench } = *problem;
     let (dof, cable_count) = structure_matrix.shape();
@@ -137,7 +139,7 @@ impl Derivative for Follower {
     }
 
     fn change_by_reference(&self, _cable: usize) -> DVector<f64> {
-        // the way from the minimum-norm tensions keeps no reference that could be moved cable by cable
+        // the minimum-norm end has no reference that could be moved cable by cable
         DVector::zeros(self.way.len())
     }
 }

@@ -1,24 +1,28 @@
-//! Tensions that follow the load without kinks (Ueland, Sauder and Skjetne 2021): a p-norm about the reference with smooth limits, and a
-//! part of the load that is left where it would cost too much.
+//! Tensions that follow the load without kinks (Ueland, Sauder and Skjetne 2021): a p-norm about the reference with
+//! smooth limits, and a slack of the load where balance would cost too much.
 //!
-//! min Σ φᵢ(fᵢ) + Σ ψ(sᵣ) with Aᵀ f + w = s, rows divided by their length, and
-//! φᵢ = |(f − f_ref)/α|ᵖ/p − c log (f − f_min)/α − c log (f_max − f)/α, α half the largest range, c the smoothing width squared, 2 ≤ p ≤ 8.
-//! Without the barriers a tension would run into its limit with a kink; a tension that p = 2 would put just on its limit, with the reference
-//! in the middle, stays away from it by the smoothing width times α. As the width goes to 0, the tensions tend to those of `qp` (p = 2).
+//! min Σ φᵢ(fᵢ) + Σ ψ(sᵣ) with Aᵀ f + w = s, rows divided by their length, and φᵢ = |(f − f_ref)/α|ᵖ/p − c log (f −
+//! f_min)/α − c log (f_max − f)/α, α half the largest range, c the smoothing width squared, 2 ≤ p ≤ 8.
+//! Without the barriers a tension would run into its limit with a kink; a tension that p = 2 would put just on its
+//! limit, with the reference in the middle, stays away from it by the smoothing width times α. As the width goes to 0,
+//! the tensions tend to those of `qp` (p = 2).
 //!
-//! The slack s makes the problem solvable at any load. The paper prices it at √(ε + s²), which leaves some at every load; here ψ is given
-//! by its slope's inverse, s = h(λ) = α (c/κ u² + u⁴/100) with u = α|λ|/κ − 1 where this is above 0, and 0 elsewhere: balance is exact until
-//! the multiplier of a row reaches κ/α, when tensions are nearer than about c α/κ to the edge of what is feasible. There the answer leaves
-//! the load little by little, and says so.
+//! The slack s makes the problem solvable at any load. The paper prices it at √(ε + s²), which leaves some slack at
+//! every load; here ψ is given by the inverse of its slope, s = h(λ) = α (c/κ u² + u⁴/100) with u = α|λ|/κ − 1 where
+//! this is above 0, and 0 elsewhere: balance is exact until the multiplier of a row reaches κ/α, when tensions are
+//! nearer than about c α/κ to the edge of the feasible loads. There the slack grows gradually, and the status is not
+//! feasible.
 //!
-//! **Search:** the dual problem in the n multipliers, smooth and concave, by Newton's method: G(λ) = Aᵀ f(λ) + w − h(λ) = 0 with φ′(f) =
-//! −A λ, a scalar equation per cable. A step is shortened where the slope of the dual along it turns around. Low prices κ come first: their
-//! answer is the one of the last price where it leaves nothing. **Continuity:** f and λ are C¹ functions of load, matrix, limits and
-//! reference at every load: φ″ > 0, and h is C¹ (implicit function theorem). **Stop rule:** G below 1e-14 of its terms, or below 1e-10 and
-//! not falling. **Warm start:** the last multipliers; the answer changes by rounding only.
+//! **Search:** the dual problem in the n multipliers, smooth and concave, by Newton's method: G(λ) = Aᵀ f(λ) + w − h(λ)
+//! = 0 with φ′(f) = −A λ, a scalar equation per cable. A step is shortened where the slope of the dual along it changes
+//! its sign. Low prices κ come first: if their answer has no slack, it is that of the last price. **Continuity:** f and
+//! λ are C¹ functions of load, matrix, limits and reference at every load: φ″ > 0, and h is C¹ (implicit function
+//! theorem). **Stop rule:** G below 1e-14 of its terms, or below 1e-10 and not falling. **Warm start:** the last
+//! multipliers; the answer changes by rounding only.
 //!
-//! E. Ueland, T. Sauder, R. Skjetne, "Optimal Force Allocation for Overconstrained Cable-Driven Parallel Robots: Continuously
-//! Differentiable Solutions With Assessment of Computational Efficiency", IEEE Transactions on Robotics 37(2), 2021.
+//! E. Ueland, T. Sauder, R. Skjetne, "Optimal Force Allocation for Overconstrained Cable-Driven Parallel Robots:
+//! Continuously Differentiable Solutions With Assessment of Computational Efficiency", IEEE Transactions on Robotics
+//! 37(2), 2021.
 
 #[cfg(test)]
 mod tests;
@@ -29,31 +33,32 @@ use super::distribute::{Chosen, Distribute, FoundTensions, NoDerivative, Problem
 use super::response::optimum::Optimum;
 use super::{InputError, Limits, Options};
 
-/// κ: prices of a unit of the load beside the slope of the p-norm, which is 1 at a distance of α from the reference, in the order tried.
+/// κ: prices of the slack, in the order tried, relative to the slope of the p-norm, which is 1 at a distance of α from
+/// the reference.
 const PRICES: [f64; 3] = [10.0, 100.0, LAST_PRICE];
 const LAST_PRICE: f64 = 1e3;
-/// Part of α that is left where a multiplier is twice the price.
+/// Slack as a fraction of α, without its c/κ term, when a multiplier is twice the price.
 const STEEP: f64 = 0.01;
-/// Newton steps before giving up.
+/// Newton steps allowed at each price.
 const MAX_STEPS: u32 = 200;
-/// Part of its terms below which a row is balanced, and below which it is if it does not fall any more.
+/// Fractions of its terms below which a row is balanced: the first at once, the second if G does not fall any more.
 const BALANCED: [f64; 2] = [1e-14, 1e-10];
-/// Slopes along a step beyond its best point that are small enough, relative to that at its start.
+/// Largest slope of the dual behind its maximum along a step, relative to that at the start, that is accepted.
 const TURNED: f64 = 0.1;
 
-/// φ of one cable in units of α, from its least tension on.
+/// φ of one cable in units of α, as a function of the tension above its least one.
 #[derive(Clone, Copy, Debug, Default)]
 struct Cost {
-    /// Largest less least tension; 0 for a cable without a range.
+    /// Largest less least tension; 0 if the cable has no range.
     range: f64,
     reference: f64,
     p: f64,
-    /// c.
+    /// c, the square of the smoothing width.
     barrier: f64,
 }
 
 impl Cost {
-    /// Slope of |x|ᵖ/p and its slope.
+    /// The first and second derivative of |x|ᵖ/p.
     fn norm(&self, z: f64) -> (f64, f64) {
         let x = z - self.reference;
         if self.p == 2.0 {
@@ -70,10 +75,11 @@ impl Cost {
         (slope + self.barrier * (above - below), curvature + self.barrier * (above * above + below * below))
     }
 
-    /// Place between the limits at which φ′ is this, by Newton's method between bounds that close in on it, and 1/φ″ there.
+    /// Tension above the least one at which φ′ has this value, and 1/φ″ there; by Newton's method between bounds that
+    /// close in.
     fn place(&self, slope: f64, start: f64) -> (f64, f64) {
         let (mut low, mut high) = (0.0, self.range);
-        // one barrier alone, the other terms at their least or most
+        // bounds from one barrier alone, with the other terms at their least or largest value
         let (to_least, to_largest) = (self.norm(0.0).0 - slope, slope - self.norm(self.range).0);
         if to_least > 0.0 {
             high = f64::min(high, self.barrier / to_least);
@@ -105,22 +111,22 @@ impl Cost {
 #[derive(Clone, Debug)]
 pub(super) struct SmoothNorm {
     dof: usize,
-    /// c.
+    /// c, the square of the smoothing width.
     barrier: f64,
     /// Aᵀ by columns, rows divided by their length.
     matrix: Vec<f64>,
-    /// Load and pulls of the least tensions.
+    /// Load and pulls of the least tensions, with the scaled rows.
     load: Vec<f64>,
-    /// Terms of a row, for rounding.
+    /// Largest sum of a row's terms by amount, to which rounding is relative.
     size: f64,
     price: f64,
     costs: Vec<Cost>,
-    /// Tensions less the least ones, and 1/φ″.
+    /// Tensions above the least ones, and 1/φ″.
     places: Vec<f64>,
     yields: Vec<f64>,
     multipliers: Vec<f64>,
     next: Vec<f64>,
-    /// G.
+    /// G, one entry per row.
     unbalanced: Vec<f64>,
     step: Vec<f64>,
     hessian: Vec<f64>,
@@ -146,7 +152,7 @@ impl SmoothNorm {
         }
     }
 
-    /// Takes a problem over; returns α (N).
+    /// Loads a problem; returns α (N).
     fn load(&mut self, task: &Task<'_>, limits: &Limits) -> f64 {
         let ranges = || limits.minimum().iter().zip(limits.maximum()).map(|(least, largest)| largest - least);
         let unit = 0.5 * ranges().fold(limits.tolerance(), f64::max);
@@ -219,7 +225,7 @@ impl SmoothNorm {
         }
         self.step.copy_from_slice(&self.unbalanced);
         solve_in_place(&mut self.hessian, &mut self.step);
-        // where little holds a multiplier it may go to four times its size
+        // where the system is almost singular a multiplier may grow to four times its size
         let most = |list: &[f64]| list.iter().fold(0.0_f64, |most, number| most.max(number.abs()));
         let (reach, length) = (4.0 * most(&self.multipliers).max(1.0), most(&self.step));
         if length > reach {
@@ -227,7 +233,7 @@ impl SmoothNorm {
         }
     }
 
-    /// Goes along the step until the slope of the dual along it has not turned around.
+    /// Shortens the step until the slope of the dual at its end has not changed its sign by more than `TURNED`.
     fn search_line(&mut self) {
         let along = dot(&self.unbalanced, &self.step);
         let mut part = 1.0;
@@ -245,7 +251,7 @@ impl SmoothNorm {
         self.multipliers.copy_from_slice(&self.next);
     }
 
-    /// Newton's method at one price; returns the steps taken, and whether G has become 0.
+    /// Newton's method at one price; returns the steps taken, and true if G has become 0.
     fn run(&mut self) -> (u32, bool) {
         let most = |list: &[f64]| list.iter().fold(0.0_f64, |most, number| most.max(number.abs()));
         self.next.copy_from_slice(&self.multipliers);
@@ -269,12 +275,12 @@ impl SmoothNorm {
         (MAX_STEPS, false)
     }
 
-    /// True where a row leaves a part of its load.
+    /// True if a row has a slack.
     fn has_slack(&self) -> bool {
         self.multipliers.iter().any(|multiplier| multiplier.abs() > self.price)
     }
 
-    /// Newton's method at rising prices; returns the steps taken, and whether the load is balanced.
+    /// Newton's method at rising prices; returns the steps taken, and true if the load is balanced.
     fn balance(&mut self) -> (u32, bool) {
         let (mut steps, mut has_settled) = (0, false);
         for price in PRICES {
@@ -292,12 +298,12 @@ impl SmoothNorm {
     }
 }
 
-/// φ of a cable with this range and a reference this far above its least tension (N).
+/// φ of a cable with this range (N) and a reference this far above its least tension (N), in units of `unit` (N).
 fn cost_of(options: &Options<'_>, range: f64, unit: f64, reference: f64) -> Cost {
     Cost { range: range / unit, reference: reference / unit, p: options.p, barrier: options.smoothing.powi(2) }
 }
 
-/// Solves a system by Cholesky factors of its lower half, row by row; pivots of rounding are raised.
+/// Solves a system by Cholesky factors of its lower half, row by row; pivots below rounding are raised.
 fn solve_in_place(matrix: &mut [f64], right: &mut [f64]) {
     let n = right.len();
     let floor = (0..n).fold(1e-60, |most: f64, row| most.max(1e-15 * matrix[row * n + row]));
@@ -319,7 +325,7 @@ fn solve_in_place(matrix: &mut [f64], right: &mut [f64]) {
     }
 }
 
-/// True where every row of Aᵀ f + w is rounding of its terms.
+/// True if every row of Aᵀ f + w is rounding of its terms.
 fn is_balanced(problem: &Problem<'_>, tensions: &[f64]) -> bool {
     problem.wrench.iter().enumerate().all(|(row, load)| {
         let terms = || tensions.iter().enumerate().map(|(cable, f)| problem.structure_matrix[(row, cable)] * f);
@@ -341,7 +347,7 @@ impl Distribute for SmoothNorm {
             return Err(InputError::OptionValue { what: "p of the p-norm", value: p, expected });
         }
         let unit = self.load(task, found.limits);
-        // the exact verdict has words for numbers that nobody can calculate with
+        // the exact programme reports numbers that cannot be calculated with
         if !self.matrix.iter().chain(&self.load).chain([&self.size]).all(|number| number.is_finite()) {
             return Ok(false);
         }
@@ -357,7 +363,7 @@ impl Distribute for SmoothNorm {
         Ok(is_found && is_balanced(&task.problem, found.tensions))
     }
 
-    /// Of balanced tensions, with p = 2 and the usual smoothing width.
+    /// Derivative of balanced tensions, with p = 2 and the default smoothing width.
     fn derivative(&self, chosen: &Chosen<'_>) -> Written {
         let Chosen { problem, limits, tensions } = *chosen;
         let ends = |cable: usize| (limits.minimum()[cable], limits.maximum()[cable]);

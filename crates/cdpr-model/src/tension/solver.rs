@@ -8,7 +8,7 @@ use super::distribute::{Cause, Distribute, Problem, Status, Task};
 use super::error::{check_shape, check_sizes};
 use super::{InputError, Limits, Method, Options, quadratic};
 
-/// Any method, with its memory: [`Solver::solve`] claims none (but where a closed form meets lost rank).
+/// A solver with the memory of one method: [`Solver::solve`] claims none, except for a closed form with lost rank.
 ///
 /// ```
 /// use cdpr::nalgebra::DMatrix;
@@ -35,7 +35,7 @@ pub struct Solver {
     answer: Answer,
 }
 
-/// A distribution by any method; see [`Solver`] for many.
+/// Distributes tensions once by any method; see [`Solver`] for many problems.
 pub fn solve(
     method: Method,
     structure_matrix: &DMatrix<f64>,
@@ -50,7 +50,7 @@ pub fn solve(
 }
 
 impl Solver {
-    /// A solver by this method for this many cables and degrees of freedom.
+    /// A solver with this method for this many cables and degrees of freedom.
     pub fn new(method: Method, cable_count: usize, dof: usize) -> Self {
         Self {
             dof,
@@ -67,9 +67,10 @@ impl Solver {
         self.distributor.forget();
     }
 
-    /// Tensions that balance the wrench within limits, chosen by the method.
+    /// Returns tensions that balance the wrench within the limits, chosen by the method.
     ///
-    /// The wrench has one component per row of the structure matrix (N, N·m).
+    /// The wrench has one component per row of the structure matrix (N, N·m). Errors are wrong sizes and values out of
+    /// range; an infeasible problem is an answer with a status.
     pub fn solve(
         &mut self,
         structure_matrix: &DMatrix<f64>,
@@ -98,7 +99,7 @@ impl Solver {
         Ok(answer)
     }
 
-    /// The limits in force; false where a rate keeps a cable beyond its limits.
+    /// Writes the limits in force; false if a rate keeps a cable beyond its limits.
     fn begin(&mut self, limits: &Limits, options: &Options<'_>) -> bool {
         let answer = &mut self.answer;
         answer.limits.copy_from(limits);
@@ -138,7 +139,7 @@ impl Solver {
         distributor.refine(&task, qp, &mut answer.found())
     }
 
-    /// Whether an infeasible problem is feasible without the rates.
+    /// Solves an infeasible problem again without the rates, to see whether these are the reason.
     fn look_for_rates(
         &mut self,
         problem: &Problem<'_>,

@@ -1,4 +1,4 @@
-//! Properties of a rope's memory: it closes its loops, loses energy, rises, and goes away with the width of the loop.
+//! Properties of a rope's memory: it closes its loops, loses energy, rises, and vanishes with the width of the loop.
 
 use nalgebra::Const;
 use num_dual::{Derivative, DualVec};
@@ -75,7 +75,7 @@ fn a_long_motion_ends_on_its_branch() {
     assert!((law.loading(0.01).0 - 5450.0).abs() < 1e-9 && (law.unloading(0.01).0 - 4550.0).abs() < 1e-9);
 }
 
-/// A path in one go and in many steps leads to the same state: nothing is integrated.
+/// A path in one step and in many leads to the same state: nothing is integrated.
 #[test]
 fn the_state_depends_on_turning_points_only() {
     let law = law();
@@ -109,7 +109,7 @@ fn derivatives_agree_with_dual_numbers() {
     }
 }
 
-/// Central differences see the same slope, so the dual numbers were not fooled by a case.
+/// Central differences give the same slope, so that the dual numbers took the right branch.
 #[test]
 fn derivatives_agree_with_differences() {
     let law = law();
@@ -189,7 +189,7 @@ proptest! {
         prop_assert!((found - tension).abs() < 1e-9 && compliance > 0.0);
     }
 
-    /// Return-point memory: however small loops were run inside, the way back to a turning point closes there.
+    /// Return-point memory: after any small loops inside, the way back to a turning point closes there.
     #[test]
     fn minor_loops_close(turns in prop::collection::vec(0.0..0.016_f64, 1..5), a in 0.002..0.014_f64, b in 0.002..0.014_f64) {
         let law = law();
@@ -197,7 +197,7 @@ proptest! {
         // after one way a → b → a the loop repeats
         let (_, tensions) = path(&law, start, &[a, b, a, b, a, b]);
         prop_assert!((tensions[3] - tensions[5]).abs() < 1e-9 && (tensions[2] - tensions[4]).abs() < 1e-9);
-        // and a loop inside it is forgotten once it has closed
+        // and a loop inside it is forgotten after it has closed
         let inside = a + 0.4 * (b - a);
         let (with, _) = path(&law, start, &[a, b, a, inside, a, b]);
         let (without, _) = path(&law, start, &[a, b, a, b]);
@@ -212,7 +212,7 @@ proptest! {
         let start = path(&law, Memory::virgin(), &turns).0;
         let settled = path(&law, start, &[a, b, a]).0;
         let loss = work(&law, settled, &[b, a]);
-        // a cycle within the narrowest stop is elastic: the trapezoids of both ways are then the same but for rounding
+        // a cycle within the narrowest stop is elastic: the trapezoids of both directions are then equal to rounding
         prop_assert!(loss > -1e-9, "{loss}");
         if (a - b).abs() > 0.0005 && a.min(b) > 1e-4 {
             prop_assert!(loss > 0.0);

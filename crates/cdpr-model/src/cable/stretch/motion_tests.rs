@@ -1,4 +1,4 @@
-//! The linearized motion against dual numbers of the law as it is written.
+//! The linearized motion against dual numbers of the law.
 
 use nalgebra::{Const, SVector};
 use num_dual::{Derivative, DualVec};
@@ -37,7 +37,7 @@ fn tension(law: &Hysteresis, strain: Dual, stops: [Dual; 3]) -> Dual {
     ((up + down) + (up - down) * state) * Dual::from(0.5)
 }
 
-/// Memories with stops that follow, that slide, and of both kinds, and tensions to which they go on or turn.
+/// Memories with stops that follow, that slide, and of both kinds, and tensions that continue or reverse the motion.
 #[test]
 fn motions_agree_with_dual_numbers() {
     let law = law();
@@ -92,7 +92,7 @@ fn a_motion_knows_how_near_a_stop_is_to_its_end() {
     assert!((law.motion(tension(0.009 - 1e-6), &memory).margin() - 1e-6).abs() < 1e-15);
     // the narrowest stop, 4e-4 wide each way, has come to its other end
     assert!(law.motion(tension(0.009 - 4e-4), &memory).margin() < 1e-15);
-    // a deviation that moves both ends of no motion alike leaves the stops where they are, another one does not
+    // a deviation that moves both ends of a zero motion alike leaves the stops where they are, another one does not
     let still = law.motion(tension(0.009), &memory);
     let before = MemoryChange { strain: 1.0, ..MemoryChange::default() };
     assert_eq!(still.crossing(1e-9, 1.0, &before), 0.0);

@@ -91,7 +91,7 @@ fn lanes_agree_with_single_numbers() {
     for law in laws() {
         let strains = law.strain(Portable::new(tensions)).0;
         for (strain, tension) in strains.to_array().into_iter().zip(tensions) {
-            // a lane goes on until the slowest has arrived, so its last bit may differ
+            // a lane continues until the slowest has converged, so that its last bit may differ
             assert!((strain - law.strain(tension).0).abs() <= 4.0 * f64::EPSILON * f64::abs(strain));
         }
         let back = strains.to_array().map(|strain| law.tension(strain).0.to_bits());

@@ -1,4 +1,5 @@
-//! The drum of a winch in the world: drum angle ↔ controlled length, layer by layer, within its groove.
+//! The drum of a winch in the world: conversion between drum angle and controlled length, layer by layer, within its
+//! groove.
 
 use nalgebra::Vector3;
 use thiserror::Error;
@@ -13,16 +14,16 @@ pub struct Departure {
     pub contact: Vector3<f64>,
     /// Length of the free part s (m).
     pub free_length: f64,
-    /// Angle of the free part against the plane across the drum's axis (rad), positive where the pulley lies ahead along
+    /// Angle of the free part to the plane across the drum's axis (rad), positive if the pulley lies ahead along
     /// `axis`; grooves hold a cable up to about 0.03 to 0.06 rad.
     pub fleet_angle: f64,
 }
 
-/// A drum that cannot be.
+/// Numbers that make no drum.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum DrumError {
-    /// The pulley lies in the drum.
+    /// The pulley lies inside the drum.
     #[error(
         "the first pulley is {distance} m from the drum's axis, inside the drum of radius {radius} m; mend drum_position_m, drum_axis or drum_radius_m"
     )]
@@ -32,35 +33,35 @@ pub enum DrumError {
         /// Radius (m).
         radius: f64,
     },
-    /// A number that no drum has.
+    /// A number outside its range.
     #[error("{key} is {value}; {needed}")]
     Number {
         /// The robot-file key.
         key: &'static str,
         /// The value.
         value: f64,
-        /// Rule that it breaks, in words.
+        /// Allowed range, in words.
         needed: &'static str,
     },
 }
 
-/// A controlled length that the drum's groove does not hold.
+/// A controlled length outside the range of the drum's groove.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 #[error(
     "{}, but {needed:.4} m is needed; {}", held(*.available, *.shortest, *.longest), mend(*.shortest)
 )]
 pub struct GrooveError {
-    /// Cable that the groove holds in its first layer, or the spool from the start on (m).
+    /// Length of cable that the groove holds in its first layer, or the spool from the start on (m).
     pub available: f64,
-    /// Least controlled length it allows (m).
+    /// Least controlled length that it allows (m).
     pub shortest: f64,
-    /// Largest controlled length it allows (m).
+    /// Largest controlled length that it allows (m).
     pub longest: f64,
-    /// The controlled length asked for (m).
+    /// The requested controlled length (m).
     pub needed: f64,
 }
 
-/// Cable that a drum holds, in words.
+/// Length of cable that a drum holds, in words.
 fn held(available: f64, shortest: f64, longest: f64) -> String {
     match shortest.is_finite() {
         true => format!(
@@ -72,7 +73,7 @@ fn held(available: f64, shortest: f64, longest: f64) -> String {
     }
 }
 
-/// Help where it is too little.
+/// Advice for a drum that holds too little cable.
 fn mend(shortest: f64) -> &'static str {
     match shortest.is_finite() {
         true => {
@@ -82,7 +83,7 @@ fn mend(shortest: f64) -> &'static str {
     }
 }
 
-/// A drum that has been checked: both directions of its law.
+/// A drum with valid numbers: both directions of its law.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Drum {
     parameters: Parameters,
@@ -91,18 +92,18 @@ pub struct Drum {
 }
 
 impl Drum {
-    /// The drum, once its numbers are those of a drum.
+    /// The drum with these numbers; an error if they make no drum.
     pub fn new(parameters: Parameters) -> Result<Self, DrumError> {
         parameters.check()?;
         Ok(Self { layers: layers(&parameters), parameters })
     }
 
-    /// The numbers it was made of.
+    /// The numbers of the drum.
     pub fn parameters(&self) -> &Parameters {
         &self.parameters
     }
 
-    /// Cable that the first layer holds (m); `None` for a groove without ends.
+    /// Length of cable that the first layer holds (m); `None` for a groove without ends.
     pub(crate) fn capacity(&self) -> Option<f64> {
         let (_, longest) = self.lengths()?;
         Some(longest - self.parameters.start_length)
@@ -132,7 +133,7 @@ impl Drum {
     pub fn angle(&self, length: f64) -> Result<f64, GrooveError> {
         let Parameters { start_length, advantage, .. } = self.parameters;
         let wound = start_length + advantage * (length - start_length);
-        // the lengths of the layers decrease as the angles do
+        // lengths and angles decrease together from layer to layer
         let within = |layer: &&Layer| wound >= layer.full().length;
         match self.layers.iter().find(within) {
             Some(layer) if wound <= layer.empty().length => Ok(layer.angle(wound)),
@@ -140,7 +141,8 @@ impl Drum {
         }
     }
 
-    /// Contact point, free length and fleet angle between drum and first pulley at a drum angle (rad); `None` behind a guide.
+    /// Contact point, free length and fleet angle between drum and first pulley at a drum angle (rad); `None` with a
+    /// guide.
     pub fn departure(&self, angle: f64) -> Result<Option<Departure>, GrooveError> {
         let layer = self.layer_of_angle(angle)?;
         let departure = |mounting: Mounting| {
@@ -150,7 +152,7 @@ impl Drum {
             let ahead = place - along;
             let towards = (mounting.pulley - mounting.position - mounting.axis * place) / distance;
             let left = towards.cross(&mounting.axis) * mounting.side.sign();
-            // tangent point of the circle: its radius makes the angle arccos(r/d) with the way to the pulley
+            // tangent point of the circle: its radius makes the angle arccos(r/d) with the direction to the pulley
             let cosine = radius / distance;
             let spoke = towards * cosine + left * (1.0 - cosine * cosine).sqrt();
             Departure {
@@ -162,11 +164,11 @@ impl Drum {
         Ok(self.parameters.mounting.map(departure))
     }
 
-    /// Controlled length of a length on the drum, both counted from the start (m).
+    /// Controlled length for a length of cable on the drum, both counted from the start (m).
     #[inline]
     fn geared_down(&self, wound: f64) -> f64 {
         let Parameters { start_length, advantage, .. } = self.parameters;
-        // tackle is rare: without it not a digit changes
+        // tackle is rare: without it the number keeps its bits
         if advantage == 1.0 { wound } else { start_length + (wound - start_length) / advantage }
     }
 
@@ -187,7 +189,7 @@ impl Drum {
 }
 
 impl Mounting {
-    /// Distance of the first pulley from the drum's axis, and its place along the axis from `position` (m).
+    /// Distance of the first pulley from the drum's axis, and its position along the axis from `position` (m).
     pub(super) fn pulley_from_axis(&self) -> (f64, f64) {
         let from = self.pulley - self.position;
         let place = self.axis.dot(&from);
@@ -201,7 +203,7 @@ impl Parameters {
             true => Ok(()),
             false => Err(DrumError::Number { key, value, needed }),
         };
-        // of a smaller one not even the turns can be counted
+        // for a smaller one not even the turns can be counted
         number("drum_radius_m", self.radius, self.radius >= 1e-30, "the radius of a drum is above zero")?;
         number("drum_pitch_m", self.pitch, self.pitch >= 0.0, "the pitch of a groove is zero or above")?;
         number("drum_start_angle_rad", self.start_angle, true, "it must be a finite number")?;

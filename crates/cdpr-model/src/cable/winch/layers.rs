@@ -1,4 +1,4 @@
-//! The layers of cable on a drum: where each begins and ends, and the drum's law within it.
+//! The layers of cable on a drum: their beginnings and ends, and the drum's law within each.
 
 use std::f64::consts::TAU;
 
@@ -7,16 +7,16 @@ use nalgebra::Vector3;
 use super::parameters::{DrumLength, Mounting, Parameters};
 use super::turns::{FirstPulley, Turns};
 
-/// Layers beyond which nobody winds.
+/// Largest number of layers.
 const LAYER_LIMIT: usize = 16;
 
 /// One layer of cable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Layer {
     pub(super) turns: Turns<f64>,
-    /// End at φ = 0: the full end of the first layer, the empty end of those above, at which the layer below is full.
+    /// State at φ = 0: the full end of the first layer, the empty end of those above, at which the layer below is full.
     start: DrumFill,
-    /// End at φ = the whole groove: the empty end of the first layer, the full end of those above.
+    /// State at the other end of the groove: the empty end of the first layer, the full end of those above.
     end: DrumFill,
     is_first: bool,
     mounting: Option<Mounting>,
@@ -34,11 +34,11 @@ pub(super) struct DrumFill {
     by_pitch: f64,
     by_pulley: Vector3<f64>,
     by_axis: Vector3<f64>,
-    /// Way of the contact point from the drum's position along the axis (m).
+    /// Position of the contact point along the axis, from the drum's position (m).
     along: f64,
 }
 
-/// The first layer, and those above it that the drum has room for.
+/// The first layer, and those above it for which the drum has room.
 pub(super) fn layers(drum: &Parameters) -> Vec<Layer> {
     let start = DrumFill {
         angle: drum.start_angle,
@@ -66,11 +66,11 @@ pub(super) fn layers(drum: &Parameters) -> Vec<Layer> {
 }
 
 impl Layer {
-    /// Layer `number`, counted from 0, from where its φ is zero.
+    /// Layer `number`, counted from 0, from the state at φ = 0.
     fn new(drum: &Parameters, number: usize, start: DrumFill) -> Self {
         let is_first = number == 0;
         let radius = drum.radius + number as f64 * drum.layer_height.unwrap_or(0.0);
-        // layers run back and forth: as they are paid out, the first and every second one move along the axis
+        // layers run back and forth: while they are paid out, the first and every second one move along the axis
         let travel = if number.is_multiple_of(2) { drum.pitch / TAU } else { -drum.pitch / TAU };
         let pulley = drum.mounting.map(|mounting| {
             let (distance, place) = mounting.pulley_from_axis();
@@ -79,14 +79,14 @@ impl Layer {
         let turns = Turns { radius, travel, pulley, build_up: drum.build_up };
         let mut layer = Self { turns, start, end: start, is_first, mounting: drum.mounting };
         let sign = if is_first { 1.0 } else { -1.0 };
-        // a spool is empty at the angle where its radius would be none
+        // a spool is empty at the angle at which its radius would be zero
         let empty = if drum.build_up > 0.0 { 2.0 * drum.radius / drum.build_up } else { f64::INFINITY };
         let turn = drum.groove_length.map_or(empty, |length| TAU * length / drum.pitch);
         layer.end = layer.end_after(sign * turn, drum.pitch);
         layer
     }
 
-    /// The other end of the layer, a turn φ = ±2π G/p away.
+    /// State at the other end of the layer, a turn φ = ±2π G/p away.
     fn end_after(&self, turn: f64, pitch: f64) -> DrumFill {
         if !turn.is_finite() {
             return DrumFill { angle: turn, length: turn, ..self.start };
@@ -106,24 +106,24 @@ impl Layer {
         }
     }
 
-    /// End at which the layer is full of cable: its least angle and length.
+    /// State at which the layer is full of cable: its least angle and length.
     #[inline]
     pub(super) fn full(&self) -> DrumFill {
         match self.is_first && self.end.angle.is_finite() && self.turns.build_up == 0.0 {
             true => self.start,
-            // without ends, or on a spool, the first layer reaches as far as it is asked to
+            // without ends, or on a spool, the first layer has no full end
             false if self.is_first => DrumFill { angle: f64::NEG_INFINITY, length: f64::NEG_INFINITY, ..self.start },
             false => self.end,
         }
     }
 
-    /// End at which the layer is empty: its largest angle and length.
+    /// State at which the layer is empty: its largest angle and length.
     #[inline]
     pub(super) fn empty(&self) -> DrumFill {
         if self.is_first { self.end } else { self.start }
     }
 
-    /// Way of the contact point from the drum's position along the axis (m).
+    /// Position of the contact point along the axis, from the drum's position (m).
     pub(super) fn along(&self, angle: f64) -> f64 {
         self.start.along + self.turns.travel * (angle - self.start.angle)
     }

@@ -13,27 +13,28 @@ use crate::robot::{Cable, GrooveEnds};
 pub use drum::{Departure, Drum, DrumError, GrooveError};
 pub use parameters::{DrumLength, Mounting, Parameters};
 
-/// A drum with what drives it.
+/// A drum with its gear and encoder.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Winch {
     /// The drum.
     pub drum: Drum,
-    /// Motor angle = gear ratio × drum angle; negative where the motor turns backwards to pay out.
+    /// Motor angle = gear ratio × drum angle; negative if the motor turns backwards to pay out.
     pub gear_ratio: f64,
-    /// Counts of the motor's encoder in one turn of the motor; `None` when unknown.
+    /// Counts of the motor's encoder per turn of the motor; `None` if unknown.
     pub counts_per_turn: Option<f64>,
 }
 
 impl Winch {
-    /// The winch without its drum: radius times angle from the start, on a spool with the radius that it has there; `None` without a radius.
+    /// The winch as an ideal one: paid-out length is radius times angle from the start, or that of a spool with this
+    /// radius at the start; `None` without a radius.
     ///
-    /// It is what a controller assumes that knows a radius only, and the limit of a drum without pitch.
+    /// It is the model of a controller that knows only a radius, and the limit of a drum without pitch.
     pub fn ideal(cable: &Cable) -> Option<Result<Self, DrumError>> {
         let radius = cable.winch.radius?;
         Some(Self::with(cable, Parameters { radius, ..parameters(cable, radius, 0.0, None, None) }))
     }
 
-    /// The winch of a robot's cable; `None` when its file lacks radius, pitch, axis or place of the drum.
+    /// The winch of a robot's cable; `None` if its file lacks radius, pitch, axis or position of the drum.
     pub fn of(cable: &Cable) -> Option<Result<Self, DrumError>> {
         let winch = &cable.winch;
         let (radius, groove) = (winch.radius?, winch.groove?);
@@ -43,7 +44,7 @@ impl Winch {
                 position: winch.position?,
                 axis: *winch.axis?,
                 side: winch.side.unwrap_or_default(),
-                // the pulley's entry D, unless the cable runs over others before
+                // the pulley's entry D, unless the cable passes other pulleys before
                 pulley: winch.first_pulley.unwrap_or(cable.frame_anchor),
             }),
         };
@@ -68,7 +69,7 @@ impl Winch {
         self.drum.length(motor_angle / self.gear_ratio)
     }
 
-    /// Encoder counts at a motor angle (rad), from zero at the angle zero; `None` when the counts per turn are unknown.
+    /// Encoder counts at a motor angle (rad), zero at the angle zero; `None` if the counts per turn are unknown.
     pub(crate) fn encoder_counts(&self, motor_angle: f64) -> Option<f64> {
         Some(motor_angle / TAU * self.counts_per_turn?)
     }
@@ -94,7 +95,7 @@ fn parameters(
     }
 }
 
-/// The robot-file key that a cable lacks for the effect `drum`; `None` when it has all.
+/// The robot-file key that a cable lacks for the effect `drum`; `None` if it has all.
 pub(crate) fn missing_key(cable: &Cable) -> Option<&'static str> {
     let winch = &cable.winch;
     let guided = winch.guided == Some(true);

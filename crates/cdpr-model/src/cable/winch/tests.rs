@@ -27,7 +27,7 @@ fn drum(groove_length: Option<f64>, layer_height: Option<f64>) -> Parameters {
     }
 }
 
-/// Drums without ends, with one layer, with many, guided and fleeting, with angles that each allows.
+/// Drums without ends, with one layer, with many, guided and not, with angles that each allows.
 fn drums() -> Vec<(Drum, Vec<f64>)> {
     let guided = |parameters: Parameters| Parameters { mounting: None, ..parameters };
     let (one, many) = (drum(Some(0.16), None), drum(Some(0.04), Some(0.007)));
@@ -128,7 +128,7 @@ fn derivatives_by_angle_radius_pitch_and_pulley_agree_with_differences() {
 /// Derivatives by angle, radius, pitch, the pulley and a turn of the axis.
 type Dual = DualVec<f64, Const<9>>;
 
-/// The first layer's law once more, from the drum's place in the world, in dual numbers.
+/// The first layer's law again in dual numbers, from the drum's position in the world.
 #[test]
 fn derivatives_by_the_drum_and_its_axis_agree_with_dual_numbers() {
     let variable =
@@ -192,8 +192,8 @@ fn derivatives_by_the_axis_agree_with_differences_in_every_layer() {
     }
 }
 
-/// The cable from drum to pulley is tangent to the drum, and what the drum unwinds beyond the change of its free part has
-/// gone over the pulley.
+/// The cable from drum to pulley is tangent to the drum, and the length that the drum unwinds less the change of the
+/// free part passes over the pulley.
 #[test]
 fn the_free_part_leaves_the_drum_tangentially_on_its_side() {
     for side in [DrumSide::Left, DrumSide::Right] {

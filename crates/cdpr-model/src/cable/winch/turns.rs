@@ -1,37 +1,40 @@
-//! One layer of cable on a drum: the law between turn and paid-out length, smooth and exact in both directions.
+//! One layer of cable on a drum: the law between turn and paid-out length, smooth and exactly invertible.
 
 use crate::scalar::Real;
 
-/// Cable wound in a helix of constant radius and pitch, from a place where the turn φ and the paid-out length are zero.
+/// Cable wound in a helix of constant radius and pitch, from a point at which the turn φ and the paid-out length are
+/// zero.
 ///
-/// A turn by φ unwinds the helix length h φ, h = √(r² + c²), while the contact point travels c φ along the drum. The free
-/// part between contact and first pulley, s(φ) = √(t² + (w + c φ)²), takes up its change, so that beyond the pulley
+/// A turn by φ unwinds the helix length h φ, h = √(r² + c²), while the contact point travels c φ along the drum. The
+/// free part between contact and first pulley, s(φ) = √(t² + (w + c φ)²), takes up its change, so that the length
+/// beyond the pulley is
 ///
 /// F(φ) = h φ − (s(φ) − s(0)),  F′ = h − c (w + c φ)/s > 0,
 ///
-/// with t² = d² − r² the square of the tangent from the pulley to the circle of radius r at the distance d of the pulley from
-/// the drum's axis. A drum whose guide travels with the contact point keeps s constant: F = h φ. Without pitch both are r φ.
+/// with t² = d² − r² the square of the tangent from the pulley to the circle of radius r at the distance d of the
+/// pulley from the drum's axis. With a guide that travels with the contact point s is constant: F = h φ. Without pitch
+/// both are r φ.
 ///
-/// On a spool the cable lies on itself: every metre paid out takes Q from the squared radius, so that its radius r − Q φ/2 pays out
-/// F(φ) = r φ − Q φ²/4.
+/// On a spool the cable lies on itself: every metre paid out reduces the squared radius by Q, so that its radius is r −
+/// Q φ/2 and it pays out F(φ) = r φ − Q φ²/4.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct Turns<T> {
     /// Radius r of the cable's centre line (m).
     pub radius: T,
     /// Travel c of the contact point along the drum's axis (m/rad), signed.
     pub travel: T,
-    /// The first pulley; `None` where a guide travels with the contact point.
+    /// The first pulley; `None` if a guide travels with the contact point.
     pub pulley: Option<FirstPulley<T>>,
-    /// Squared radius Q that every metre wound adds (m), without travel and pulley.
+    /// Increase Q of the squared radius per metre wound (m), without travel and pulley.
     pub build_up: T,
 }
 
-/// Place of the first pulley seen from the drum: distance from its axis, and offset along it.
+/// Position of the first pulley relative to the drum.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct FirstPulley<T> {
     /// Square of its distance d from the drum's axis (m²).
     pub distance_squared: T,
-    /// Place w of the contact point along the axis where φ = 0, counted from the pulley (m).
+    /// Position w of the contact point along the axis at φ = 0, counted from the pulley (m).
     pub contact: T,
 }
 
@@ -48,20 +51,20 @@ pub(crate) struct PaidOut<T> {
     pub by_travel: T,
     /// ∂F/∂Q by the build-up.
     pub by_build_up: T,
-    /// ∂F/∂w by the place of the contact point.
+    /// ∂F/∂w by the position of the contact point.
     pub by_contact: T,
     /// ∂F/∂(d²) (1/m).
     pub by_distance_squared: T,
 }
 
 impl<T: Real> Turns<T> {
-    /// Cable that one radian unwinds, h = √(r² + c²) (m/rad).
+    /// Length of cable that one radian unwinds, h = √(r² + c²) (m/rad).
     #[inline]
     pub(crate) fn wound_per_radian(&self) -> T {
         (self.radius * self.radius + self.travel * self.travel).sqrt()
     }
 
-    /// Length paid out beyond the first pulley by a turn from φ = 0 (m), negative where cable is reeled in.
+    /// Length paid out beyond the first pulley by a turn from φ = 0 (m), negative if cable is reeled in.
     #[inline]
     pub(crate) fn paid_out(&self, turn: T) -> T {
         let wound = self.wound_per_radian() * turn;
@@ -104,8 +107,8 @@ impl<T: Real> Turns<T> {
 
     /// The turn that pays out this length: the exact inverse of [`Turns::paid_out`] (rad).
     ///
-    /// s = h φ − K with K = Δ − s(0), squared, is r² φ² − 2 (h K + w c) φ − Δ (2 s(0) − Δ) = 0; the root with s ≥ 0 is the
-    /// larger one, and its discriminant (c K + h w)² + r² t² is a sum of squares. One Newton step takes out its rounding.
+    /// s = h φ − K with K = Δ − s(0), squared, is r² φ² − 2 (h K + w c) φ − Δ (2 s(0) − Δ) = 0; the root with s ≥ 0 is
+    /// the larger one, and its discriminant (c K + h w)² + r² t² is a sum of squares. One Newton step removes rounding.
     #[inline]
     pub(crate) fn turn(&self, paid_out: T) -> T {
         let h = self.wound_per_radian();
@@ -132,7 +135,7 @@ fn quarter_square<T: Real>(turn: T) -> T {
 }
 
 impl<T: Real> FirstPulley<T> {
-    /// s = √(d² − r² + z²) for a contact point at the place z along the axis.
+    /// s = √(d² − r² + z²) for a contact point at the position z along the axis.
     #[inline]
     fn free_length(&self, radius: T, z: T) -> T {
         (self.distance_squared - radius * radius + z * z).sqrt()
@@ -224,7 +227,7 @@ mod tests {
         }
     }
 
-    /// Without pitch, and with a guide besides, the drum is the ideal winch, values and slope.
+    /// Without pitch, also with a guide, the drum is the ideal winch, in value and slope.
     #[test]
     fn pitch_zero_is_the_ideal_winch_reached_smoothly() {
         let ideal = fleeting(0.1, 0.0, 1.5, -0.3).gradient(25.0);

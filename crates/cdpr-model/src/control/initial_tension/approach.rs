@@ -1,48 +1,48 @@
-//! How a real robot is brought to its initial tensions.
+//! Stages in which a real robot is brought to its initial tensions.
 
 use super::{Task, driving, offsets_of};
 use crate::control::input_error::InputError;
 use crate::control::status::Status;
 
-/// The way from one set of initial tensions to another, the control model commanding x_ini all the time.
+/// The path from one set of initial tensions to another, with the control model commanding x_ini all the time.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Approach {
-    /// State to be set first, then the stages in their order.
+    /// The state to be set first, then the stages in their order.
     pub stages: Vec<Stage>,
-    /// Cables (0-based) in the order in which a stage moves them: those that pay out first, so that no tension rises before it has
-    /// to.
+    /// Cables (0-based) in the order in which a stage moves them: those that pay out first, so that no tension rises
+    /// earlier than necessary.
     pub order: Vec<usize>,
-    /// Least and largest tension of any cable while one after the other moves (N).
+    /// Least and largest tension of any cable while the cables move one after the other (N).
     pub tensions: [f64; 2],
-    /// How far the platform comes off x_ini meanwhile (m).
+    /// Largest distance of the platform from x_ini meanwhile (m).
     pub largest_displacement: f64,
-    /// Moves after which the machine comes to no rest.
+    /// Number of moves after which the machine does not come to rest.
     pub unanswered: usize,
 }
 
-/// A stage of the way. After each the platform rests at x_ini: tensions between two that balance the load balance it too.
+/// A stage of the path. After each the platform rests at x_ini: tensions between two balanced sets are balanced too.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Stage {
     /// Winch offsets q_off, added to the control model's lengths (m).
     pub offsets: Vec<f64>,
     /// Readings of the force sensors at rest (N).
     pub tensions: Vec<f64>,
-    /// Winch by winch what leads here; none at the start.
+    /// Moves of the winches that lead here, one at a time; empty at the start.
     pub moves: Vec<Move>,
 }
 
-/// One winch turned.
+/// One turn of a winch.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Move {
     /// Cable (0-based).
     pub cable: usize,
-    /// Length that is paid out (m; below zero: wound in).
+    /// Length that is paid out (m; negative if wound in).
     pub by: f64,
-    /// Tensions that emerge (N); `None` if the machine comes to no rest.
+    /// Tensions that emerge (N); `None` if the machine does not come to rest.
     pub tensions: Option<Vec<f64>>,
 }
 
-/// The way in this many stages of equal change of tension.
+/// The path in this many stages of equal change of tension.
 pub fn approach(task: &Task<'_>, from: &[f64], to: &[f64], stages: usize) -> Result<Approach, InputError> {
     let stage = |k: usize| -> Result<Stage, InputError> {
         let fraction = k as f64 / stages.max(1) as f64;

@@ -1,4 +1,4 @@
-//! The search for initial tensions, by Gauss–Newton steps in the null space of the structure matrix at the initial pose.
+//! The search for initial tensions: Gauss–Newton steps in the null space of the structure matrix at the initial pose.
 
 use nalgebra::{Cholesky, DMatrix, DVector};
 
@@ -9,24 +9,23 @@ use crate::geometry::Pose;
 use crate::solve::{self, Control, Rules, Step, StepRule, Stop, descend};
 use crate::tension::{Limits, null_space, quadratic};
 
-/// Steps at most; tensions follow f_ini almost linearly, so that few are needed.
+/// Steps allowed; tensions are almost linear in f_ini, so that few are needed.
 const STEPS: u32 = 30;
-/// Difference of initial tensions that derivatives are taken over, as a share of the range of the limits.
+/// Difference of initial tensions for derivatives, as a fraction of the range of the limits.
 const DIFFERENCE: f64 = 1e-4;
-/// Distance from the optimum, as a share of the range, that ends the search.
+/// Distance from the optimum, as a fraction of the range, below which the search ends.
 const SETTLED: f64 = 1e-7;
-/// Ends nearer to each other than this share of the range are one optimum.
+/// Distance, as a fraction of the range, below which two ends count as one optimum.
 const AGREEING: f64 = 1e-4;
-/// Weight of the fit beside the way from one step to the next, in squared tensions.
+/// Weight of the fit against the length of a step, in squared tensions.
 const WEIGHT: f64 = 100.0;
-/// Part of the largest curvature that keeps what the poses do not determine where it is.
+/// Fraction of the largest curvature added to all, so that components that the poses do not determine do not change.
 const RIDGE: f64 = 1e-9;
 
-/// f_ini within the limits whose emerging tensions are nearest to the target over these poses (eq. 3.42), the best that several starts
-/// lead to.
+/// The f_ini within the limits with emerging tensions nearest to the target over these poses (eq. 3.42): the best
+/// result of several starts.
 ///
-/// Refuses rigid machines, targets that no pose has, and limits that no balanced tensions
-/// at the initial pose keep.
+/// Errors are rigid machines, targets that no pose has, and limits that no balanced tensions at the initial pose keep.
 pub fn optimum(task: &Task<'_>, target: &Target, poses: &[Pose]) -> Result<Optimum, InputError> {
     let wanted = wanted(task, target, poses)?;
     let ranges = task.limits.minimum().iter().zip(task.limits.maximum()).map(|(least, largest)| largest - least);
@@ -84,33 +83,33 @@ struct Search<'a> {
     range: f64,
 }
 
-/// Initial tensions and what emerges with them.
+/// Initial tensions and the tensions that emerge with them.
 struct Trial {
     tensions: Vec<f64>,
     offsets: Vec<f64>,
     emerging: Vec<Option<Vec<f64>>>,
-    /// f̂ − f_ref; zeros where one of them is unknown.
+    /// f̂ − f_ref (N); zeros where one of them is unknown.
     residual: DVector<f64>,
-    /// Poses that count.
+    /// Number of poses that count.
     counted: usize,
 }
 
 impl Trial {
-    /// Mean square over the poses that count.
+    /// Mean square over the poses that count (N²).
     fn cost(&self) -> f64 {
         if self.counted == 0 { f64::INFINITY } else { self.residual.norm_squared() / self.counted as f64 }
     }
 
-    /// Nothing is better where fewer poses have an answer.
+    /// More poses with an answer are better; at equal numbers the lower cost.
     fn is_better_than(&self, other: &Self) -> bool {
         self.counted > other.counted || (self.counted == other.counted && self.cost() < other.cost())
     }
 }
 
-/// Nearness to the target, as the loop of all searches sees it.
+/// Distance from the target, as a problem of the common descent loop.
 struct Descent<'a, 's> {
     search: &'a Search<'s>,
-    /// `None` before the start was tried.
+    /// `None` before the start was evaluated.
     here: Option<Trial>,
     there: Option<Trial>,
     /// Step in the tensions, within the limits (N).
@@ -156,14 +155,14 @@ impl solve::Problem for Descent<'_, '_> {
         }
     }
 
-    /// Only places next to here are left.
+    /// Always true: if no fraction of a step helps, the search has converged.
     fn rests(&mut self, _: f64, _: f64) -> bool {
         true
     }
 }
 
 impl Search<'_> {
-    /// Steps from one start until they come to rest.
+    /// Takes steps from one start until they converge.
     fn descend(&self, start: Vec<f64>) -> Result<End, InputError> {
         let start = self.at(start)?;
         let mut descent = Descent { search: self, here: None, there: Some(start), way: Vec::new(), refusal: None };
@@ -224,15 +223,16 @@ impl Search<'_> {
         let root = Cholesky::new(curvature);
         Ok(match root {
             Some(root) => (-root.solve(&slope), root.l().transpose()),
-            // a curvature of rounding: nothing to gain
+            // a curvature of rounding: no step
             None => (DVector::zeros(dimension), DMatrix::identity(dimension, dimension)),
         })
     }
 
-    /// The tensions f + H λ after a step, or the best within the limits by the metric of the step's root.
+    /// The tensions f + H λ after a step, or the best within the limits in the metric of the step's root.
     ///
-    /// Unknowns are the difference from the step's end in that metric, and the tensions, which count less the larger `WEIGHT` is and
-    /// are drawn to where they come from: in the end, when the steps vanish, not at all.
+    /// Unknowns are the difference from the step's end in that metric, and the tensions. These have a small weight, the
+    /// smaller the larger `WEIGHT` is, which draws them to their previous values; at the end, when steps vanish, it has
+    /// no effect.
     fn within(&self, from: &[f64], step: &DVector<f64>, root: &DMatrix<f64>) -> Result<Vec<f64>, InputError> {
         let end = DVector::from_column_slice(from) + &self.basis * step;
         let limits = self.task.limits;
@@ -246,7 +246,7 @@ impl Search<'_> {
         for cable in 0..cables {
             matrix[(cable, dimension + cable)] = -1.0;
         }
-        // far beyond what the metric can make of tensions
+        // far beyond any tensions in the metric
         let far = 1e4 * limits.maximum().iter().fold(1.0, |most: f64, limit| most.max(limit.abs()));
         let joined = |end: f64, limits: &[f64]| [&vec![end; dimension], limits].concat();
         let both = Limits::new(joined(-far, limits.minimum()), joined(far, limits.maximum()))?;

@@ -49,7 +49,7 @@ fn by_method(method: Method) -> Target {
     Initial { tension_method: Some(method), tension_limits_N: Some([1000.0, 8000.0]), ..Initial::default() }
 }
 
-/// At one pose, the one where the winches are set, the best initial tensions are the target itself.
+/// For a single pose, the one at which the winches are set, the best initial tensions are the target itself.
 #[test]
 fn for_the_initial_pose_alone_the_optimum_is_the_target() {
     let planar = Planar::new();
@@ -61,8 +61,9 @@ fn for_the_initial_pose_alone_the_optimum_is_the_target() {
     assert!(found.tensions.iter().zip(&expected).all(|(a, b)| (a - b).abs() < 1e-3), "{found:?} {expected:?}");
 }
 
-/// No other initial tensions nearby, balanced and within the limits, follow the target better: the cost is searched around the
-/// optimum along the null space, in steps of 1 and 100 N. Setting the winches for the initial pose alone is worse by far.
+/// No other initial tensions nearby, balanced and within the limits, follow the target better: the cost is evaluated
+/// around the optimum along the null space, in steps of 1 and 100 N. Setting the winches for the initial pose alone is
+/// much worse.
 #[test]
 fn no_neighbour_of_the_optimum_follows_a_circle_better() {
     let planar = Planar::new();
@@ -81,12 +82,12 @@ fn no_neighbour_of_the_optimum_follows_a_circle_better() {
         for k in 0..16 {
             let angle = std::f64::consts::TAU * f64::from(k) / 16.0;
             for step in [1.0, 100.0] {
-                // a direction of the null space: what balancing leaves of two cables that pull
+                // a direction of the null space: two changed tensions, balanced
                 let mut wish = found.tensions.clone();
                 wish[0] += step * angle.cos();
                 wish[2] += step * angle.sin();
                 let tensions = initial_tensions(&given(&wish), &planar.machine, &task.pose).unwrap();
-                // 1962 N hang on the cables
+                // the cables carry 1962 N
                 let left = &matrix * nalgebra::DVector::from_column_slice(&tensions);
                 assert!((left.norm() - 1962.0).abs() < 1e-8, "{left}");
                 if planar.limits.contain(&tensions, 0.0) {
@@ -95,13 +96,14 @@ fn no_neighbour_of_the_optimum_follows_a_circle_better() {
             }
         }
         let plain = initial_tensions(&target, &planar.machine, &task.pose).unwrap();
-        // the least tensions stand at the limits already
+        // the least tensions are at the limits already
         let better = if method == Method::Minimum { 1.0 + 1e-9 } else { 0.95 };
         assert!(found.fit.rms <= better * cost(&plain), "{} {}", found.fit.rms, cost(&plain));
     }
 }
 
-/// A circle beyond what the least tensions reach: cables go slack, and the way from the middle of the limits ends in a hollow at 610.2 N.
+/// A circle beyond the reach of the least tensions: cables go slack, and the descent from the middle of the limits ends
+/// in a local minimum at 610.2 N.
 #[test]
 fn several_starts_leave_the_hollow_that_one_ends_in() {
     let planar = Planar::new();
@@ -114,13 +116,14 @@ fn several_starts_leave_the_hollow_that_one_ends_in() {
     assert!(found.fit.rms < 607.0, "{found:?}");
     // one pose of the circle has no tensions that balance the load within the limits
     assert_eq!((found.fit.poses, found.fit.without_target.len()), (11, 1), "{found:?}");
-    // what is found is a start that leads to itself
+    // a start at the result leads to itself
     let again = Task { now: Some(found.tensions.clone()), ..task };
     let again = optimum(&again, &by_method(Method::Minimum), &poses).unwrap();
     assert!((again.fit.rms - found.fit.rms).abs() < 1e-3, "{again:?}");
 }
 
-/// Tensions of 3000 N all over leave less than 2300 N to the lower cables: the optimum stands at a limit, not beyond.
+/// A target of 3000 N for all tensions would give the lower cables less than 2300 N: the optimum is at a limit, not
+/// beyond.
 #[test]
 fn the_optimum_keeps_the_limits_at_the_initial_pose() {
     let planar = Planar::new();
@@ -135,7 +138,7 @@ fn the_optimum_keeps_the_limits_at_the_initial_pose() {
     assert!(matches!(refused, Err(InputError::NotBalanced { .. })), "{refused:?}");
 }
 
-/// Every stage ends at x_ini with the tensions it tells, and the last with those that were wanted.
+/// Every stage ends at x_ini with the tensions it states, and the last with those requested.
 #[test]
 fn the_way_to_the_initial_tensions_rests_at_the_initial_pose_after_every_stage() {
     let planar = Planar::new();

@@ -3,18 +3,19 @@
 use crate::equilibrium::feasibility::factors::INDEPENDENT;
 use crate::scalar::{Real, Select};
 
-/// AᵀA = L D Lᵀ. Rows that a robot lacks are zeros with 1 on the diagonal, so that all sizes are the compiler's.
+/// AᵀA = L D Lᵀ. Missing rows of smaller robots are zeros with 1 on the diagonal, so that all sizes are known to the
+/// compiler.
 pub(super) struct Normal<T> {
-    /// Below the diagonal.
+    /// L below the diagonal.
     lower: [[T; 6]; 6],
     /// 1/D.
     inverse: [T; 6],
-    /// 1 where every row has a clear part beside those before it, 0 where rank may be lost.
+    /// 1 if every row is clearly independent of those before it, 0 if rank may be lost.
     pub(super) has_rank: T,
 }
 
 impl<T: Select> Normal<T> {
-    /// Factors of the products of n rows, of which those on and below the diagonal are read.
+    /// Factors of the products of n rows; only the products on and below the diagonal are read.
     #[inline(always)]
     pub(super) fn of(mut lower: [[T; 6]; 6], dof: usize) -> Self {
         let (zero, one) = (lower[0][0].constant(0.0), lower[0][0].constant(1.0));
@@ -43,7 +44,7 @@ impl<T: Select> Normal<T> {
         Self { lower, inverse, has_rank }
     }
 
-    /// Factors of the rows whose sum solves the balance with this residual.
+    /// Solves AᵀA y = x: the combination of rows that corrects this residual of the balance.
     #[inline(always)]
     pub(super) fn solve(&self, mut x: [T; 6]) -> [T; 6] {
         for k in 0..6 {
@@ -63,7 +64,7 @@ impl<T: Select> Normal<T> {
     }
 }
 
-/// f − A x, of one cable.
+/// f − A x for one cable.
 #[inline(always)]
 pub(super) fn moved<T: Real>(f: T, column: [T; 6], x: [T; 6]) -> T {
     let first = column[0] * x[0] + column[1] * x[1];

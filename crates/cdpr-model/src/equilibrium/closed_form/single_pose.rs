@@ -1,4 +1,4 @@
-//! The closed form at one pose, a cable per lane: structure matrix, products and tensions without leaving the registers.
+//! The closed form at one pose, a cable per lane: structure matrix, products and tensions, all in registers.
 
 use super::normal::{Normal, moved};
 use crate::cable::wrench::wrench;
@@ -6,19 +6,19 @@ use crate::geometry::Twist;
 use crate::model::{CableGroup, in_pattern};
 use crate::scalar::{Kernel, LANES, Lanes};
 
-/// Sizes of load and tensions (N, N·m) from which on the general way must look.
+/// Sizes of load and tensions (N, N·m) from which on the general code is needed.
 const LARGEST: f64 = 1e100;
 
-/// Tensions of a robot with at most eight cables and no fewer than degrees of freedom: the formulas of [`super::solve_batch`], once more for
-/// what rounding of the products left.
+/// Tensions of a robot with at most eight cables and no fewer than degrees of freedom: the formulas of
+/// [`super::solve_batch`], with one correction for rounding of the products.
 pub(in crate::equilibrium) struct OnePose<'a> {
     pub(in crate::equilibrium) cables: &'a CableGroup,
     pub(in crate::equilibrium) basis: &'a [Twist],
     pub(in crate::equilibrium) position: [f64; 3],
     pub(in crate::equilibrium) rotation: &'a [[f64; 3]; 3],
-    /// Load in the pattern's rows; zeros beyond.
+    /// Load in the pattern's rows; the remaining entries are zero.
     pub(in crate::equilibrium) wrench: [f64; 6],
-    /// Middle of each cable's limits (N); zeros beyond.
+    /// Middle of each cable's limits (N); the remaining entries are zero.
     pub(in crate::equilibrium) middle: &'a [f64; LANES],
 }
 
@@ -28,12 +28,13 @@ pub(in crate::equilibrium) struct ClosedFormTensions {
     pub(in crate::equilibrium) tensions: [f64; LANES],
     /// Aᵀ f + w in the pattern's rows (N, N·m).
     pub(in crate::equilibrium) residual: [f64; 6],
-    /// Sum of the amounts of its terms, row by row.
+    /// Sum of the amounts of its terms, row by row (N, N·m).
     pub(in crate::equilibrium) sizes: [f64; 6],
 }
 
 impl Kernel for OnePose<'_> {
-    /// `None` leaves it to the general way: a cable may have no path, rows may depend on each other, numbers may not be finite.
+    /// `None` if the general code is needed: a cable may have no path, rows may depend on each other, numbers may not
+    /// be finite.
     type Output = Option<ClosedFormTensions>;
 
     #[inline(always)]
@@ -61,7 +62,8 @@ impl Kernel for OnePose<'_> {
 }
 
 impl OnePose<'_> {
-    /// Rows of the structure matrix by cables, zeros where a robot has fewer of either; above 0 where a cable may have no path.
+    /// Rows of the structure matrix by cables, zeros for missing rows and cables; the second number is above 0 if a
+    /// cable may have no path.
     #[inline(always)]
     fn rows<L: Lanes>(&self, lanes: L) -> ([L; 6], L) {
         let found = self.cables.checked_paths(lanes, self.position, self.rotation);
@@ -74,7 +76,7 @@ impl OnePose<'_> {
     }
 }
 
-/// Sums over cables.
+/// Sums over cables, one per row.
 #[inline(always)]
 fn sums<L: Lanes>(terms: &[L; 6]) -> [f64; 6] {
     let [a, b, c, d] = L::sums([terms[0], terms[1], terms[2], terms[3]]);
@@ -82,7 +84,7 @@ fn sums<L: Lanes>(terms: &[L; 6]) -> [f64; 6] {
     [a, b, c, d, e, f]
 }
 
-/// Products of every row with something per cable, summed up.
+/// Sums over cables of every row times a number per cable.
 #[inline(always)]
 fn over_cables<L: Lanes>(rows: &[L; 6], x: L) -> [f64; 6] {
     sums(&[rows[0] * x, rows[1] * x, rows[2] * x, rows[3] * x, rows[4] * x, rows[5] * x])

@@ -1,10 +1,10 @@
-//! Result of one start.
+//! Result of the search from one start.
 
 use super::descent::{EquilibriumEnd, Stop};
 use super::problem::Problem;
 use crate::statics::Stability;
 
-/// Result of one start.
+/// Result of the search from one start.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Attempt {
     pub(super) end: EquilibriumEnd,
@@ -12,9 +12,9 @@ pub(super) struct Attempt {
     pub(super) stability: f64,
     /// Largest excess of a rigid cable over its controlled length (m).
     pub(super) excess: f64,
-    /// Wrench that balance leaves undecided (N).
+    /// Residual wrench that counts as balance (N).
     pub(super) undecided: f64,
-    /// Bars are in balance, one of them pushes, and nobody asks for what cables would do there.
+    /// True if the bars are in balance, one of them pushes, and only taut cables are sought.
     pub(super) pushes: bool,
 }
 
@@ -25,7 +25,7 @@ impl Attempt {
             && Stability::of(self.stability, problem.indifferent_stiffness()) == Stability::Stable
     }
 
-    /// True where forces balance and rigid cables have their lengths.
+    /// True if forces balance and rigid cables have their lengths.
     pub(super) fn is_equilibrium(&self, problem: &Problem<'_>) -> bool {
         self.end.stop == Stop::Stationary
             && !self.pushes
@@ -33,7 +33,7 @@ impl Attempt {
             && problem.wrench_size(&self.end.residual) <= self.undecided
     }
 
-    /// Equilibria before others, then by stability or by what is left.
+    /// True if this attempt is better: equilibria before others, then by stability or by the residual.
     pub(super) fn is_better(&self, other: &Self, problem: &Problem<'_>) -> bool {
         match (self.is_equilibrium(problem), other.is_equilibrium(problem)) {
             (true, true) => self.stability > other.stability,

@@ -13,24 +13,24 @@ pub(super) struct Balance {
     pub(super) residual: [f64; 6],
     /// Symmetric part of K_wx = K_C − K_G − ∂w/∂x, lower triangle.
     pub(super) stiffness: [[f64; 6]; 6],
-    /// Elastic energy of the cables minus the work of forces and weight (N·m); constant moments have none.
+    /// Elastic energy of the cables minus the work of forces and weight (N·m); constant moments are not counted.
     pub(super) energy: f64,
 }
 
 /// Terms that one group of cables contributes: energy 1, residual 6, stiffness 6 + 9 + 6.
 pub(super) const TERMS: usize = 28;
-/// The first terms, energy and residual, rounded up to whole fours.
+/// The first terms, energy and residual, rounded up to a multiple of four.
 const FORCE_TERMS: usize = 8;
 
-/// The balance at a pose: a kernel of its own, which descents of any degrees of freedom share.
+/// The balance at a pose: a kernel of its own, shared by descents of any degrees of freedom.
 pub(super) struct AtPose<'a> {
     pub(super) problem: &'a Problem<'a>,
     pub(super) pose: &'a Pose,
-    /// Filled; packed like the model's groups (N).
+    /// Output: tensions, packed like the model's groups (N).
     pub(super) tensions: &'a mut [[f64; LANES]],
-    /// Filled; packed alike (m).
+    /// Output: lengths, packed alike (m).
     pub(super) lengths: &'a mut [[f64; LANES]],
-    /// Otherwise stiffness is left at zero.
+    /// False leaves the stiffness at zero.
     pub(super) with_stiffness: bool,
 }
 
@@ -94,12 +94,12 @@ impl Problem<'_> {
     }
 }
 
-/// Strain from which on the short form of the energy is not enough.
+/// Strain above which the short form of the energy is not exact enough.
 const LARGE_STRAIN: f64 = 0.1;
 
-/// (z − ln(1 + z))/z² of the strain z = κ_q k₀ e, to 1e-7 and without a logarithm, which is another on every machine.
+/// (z − ln(1 + z))/z² of the strain z = κ_q k₀ e, to 1e-7 and without a logarithm, which differs between machines.
 ///
-/// With 1 + z = (1 + t)², z − ln(1 + z) = t² + 2 (t − ln(1 + t)): large strains are made small by taking roots.
+/// With 1 + z = (1 + t)², z − ln(1 + z) = t² + 2 (t − ln(1 + t)): large strains become small by taking roots.
 #[inline(always)]
 fn energy_share<L: Select>(lanes: L, strain: L) -> L {
     let is_large = lanes.constant(LARGE_STRAIN).is_less(strain.abs());
@@ -107,7 +107,7 @@ fn energy_share<L: Select>(lanes: L, strain: L) -> L {
         return share_of_small(lanes, strain);
     }
     let one = lanes.constant(1.0);
-    // never −1 but by rounding: the compliance is positive at every length
+    // −1 only by rounding: the compliance is positive at every length
     let mut root = (one + strain).max(lanes.constant(f64::MIN_POSITIVE));
     let (mut sum, mut weight, mut t) = (lanes.constant(0.0), 1.0, strain);
     for _ in 0..4 {
@@ -117,11 +117,11 @@ fn energy_share<L: Select>(lanes: L, strain: L) -> L {
         weight *= 2.0;
     }
     let exact = (sum + lanes.constant(weight) * (t * t) * share_of_small(lanes, t)) / (strain * strain);
-    // without a strain the quotient is none
+    // without a strain the quotient is not defined
     exact.select(is_large, share_of_small(lanes, strain))
 }
 
-/// (z − ln(1 + z))/z² = ½ − z/3 + z²/4 − …, by a quotient that agrees to the fifth term.
+/// (z − ln(1 + z))/z² = ½ − z/3 + z²/4 − …, by a rational function that agrees to the fifth term.
 #[inline(always)]
 fn share_of_small<L: Select>(lanes: L, strain: L) -> L {
     let number = |x: f64| lanes.constant(x);
@@ -132,13 +132,14 @@ fn share_of_small<L: Select>(lanes: L, strain: L) -> L {
 /// Tension (N), stiffness (N/m) and energy (J) of eight cables at their lengths.
 pub(super) struct Pull<L> {
     pub(super) tension: L,
-    /// ∂f/∂q; 0 where slack.
+    /// ∂f/∂q (N/m); 0 if slack.
     pub(super) stiffness: L,
     pub(super) energy: L,
 }
 
 impl<L: Real> Pull<L> {
-    /// Of a stretch e (m) of linear cables with the stiffness k₀ at rest: f = k₀ e/(1 + κ_q k₀ e), taut or pushing like a bar; the energy is left at zero.
+    /// Pull for a stretch e (m) of linear cables with the stiffness k₀ at rest: f = k₀ e/(1 + κ_q k₀ e), taut or
+    /// pushing like a bar; the energy stays zero.
     #[inline(always)]
     pub(super) fn without_energy(at_rest: L, by_length: L, stretch: L) -> Self {
         let one = stretch.constant(1.0);
@@ -149,7 +150,7 @@ impl<L: Real> Pull<L> {
     }
 }
 
-/// Fills in the terms of the wrench f \[u; b × u\].
+/// Writes the terms of the wrench f \[u; b × u\].
 #[inline(always)]
 pub(super) fn force_terms<L: Lanes>(terms: &mut [L; TERMS], u: [L; 3], moment_arm: [L; 3], tension: L) {
     let column = wrench(moment_arm, u);
@@ -158,7 +159,7 @@ pub(super) fn force_terms<L: Lanes>(terms: &mut [L; TERMS], u: [L; 3], moment_ar
     }
 }
 
-/// Fills in the terms of K_C − K_G from M = −∂t/∂p_B = k u uᵀ − f ∂u/∂p_B of the pull t = f u.
+/// Writes the terms of K_C − K_G from M = −∂t/∂p_B = k u uᵀ − f ∂u/∂p_B of the pull t = f u.
 #[inline(always)]
 pub(super) fn stiffness_terms<L: Lanes>(
     terms: &mut [L; TERMS],
@@ -202,7 +203,7 @@ pub(super) fn stiffness_terms<L: Lanes>(
     }
 }
 
-/// Wrench, and lower triangle of the stiffness, of sums of the terms: their order undone.
+/// Wrench, and lower triangle of the stiffness, from the sums of the terms, in their usual order.
 #[inline(always)]
 pub(super) fn unpack<T: Real>(totals: &[T; TERMS]) -> ([T; 6], [[T; 6]; 6]) {
     let zero = totals[0].constant(0.0);
@@ -229,13 +230,13 @@ pub(super) fn unpack<T: Real>(totals: &[T; TERMS]) -> ([T; 6], [[T; 6]; 6]) {
 mod tests {
     use super::energy_share;
 
-    /// From cables pressed to a hundredth of their length to cables stretched a thousandfold.
+    /// From cables compressed to a hundredth of their length to cables stretched a thousandfold.
     #[test]
     fn the_energy_is_that_of_the_logarithm() {
         for step in 0..200 {
             let strain = 0.01 * 1.06_f64.powi(step) - 1.0;
             if strain.abs() < 1e-3 {
-                continue; // there the logarithm itself is rounded to nothing
+                continue; // there rounding removes all digits of the logarithm itself
             }
             let exact = (strain - strain.ln_1p()) / (strain * strain);
             let error = energy_share(1.0, strain) / exact - 1.0;

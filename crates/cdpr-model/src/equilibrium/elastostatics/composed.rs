@@ -1,10 +1,10 @@
 //! The forward problem for cables of any effects: sagging, stiffening, with a memory.
 //!
-//! Each cable is solved for its controlled length at the pose, which leaves the residual wrench as a function of the pose.
-//! Newton steps with the tangents ∂t/∂p_B of the cables, shortened until the residual falls, find its zero. The first start is
-//! the guess; if that leads to no stable equilibrium, the pose at which straight cables of linear stretch come to rest. Sagging cables
-//! that do not stretch start from a compliance that is taken away by and by, since too short ones have no shape; where that ends
-//! early, from a larger one.
+//! Each cable is solved for its controlled length at the pose, so that the residual wrench is a function of the pose.
+//! Newton steps with the tangents ∂t/∂p_B of the cables, shortened until the residual falls, find its zero. The first
+//! start is the guess; if it leads to no stable equilibrium, the next is that of straight linear cables. Sagging cables
+//! that do not stretch start with a compliance that is reduced in stages, since too short ones have no shape, and start
+//! again with a larger one if that fails.
 
 use nalgebra::{Matrix6, Vector3, Vector6};
 
@@ -22,9 +22,9 @@ use crate::scalar::eigenvalue::smallest_eigenvalue_of;
 use crate::solve::{self, Control, Rules, Step, StepRule, Stop, Trial, descend};
 use crate::statics::{Stability, axial_stiffness, indifferent_stiffness};
 
-/// Last compliance before none in the search for cables that do not stretch (1/N).
+/// Smallest compliance before zero in the search for cables that do not stretch (1/N).
 const LAST_COMPLIANCE: f64 = 1e-14;
-/// Compliance with which it begins again where it ended early (1/N).
+/// First compliance of a second search for them (1/N).
 const SOFT_COMPLIANCE: f64 = 1e-5;
 /// Longest step, relative to the mean cable length.
 const LONGEST_STEP: f64 = 0.1;
@@ -37,7 +37,7 @@ pub(super) struct Composed {
     trial_states: Vec<Option<SpanState<f64>>>,
     accepted: Vec<CableState>,
     trial: Vec<CableState>,
-    /// Sagging cables without any stretch.
+    /// True for sagging cables without any stretch.
     is_rigid: bool,
 }
 
@@ -50,19 +50,19 @@ struct Point {
     size: f64,
 }
 
-/// Why a search ended without an equilibrium.
+/// Reason that a search ended without an equilibrium.
 enum Failure {
     /// A cable has no shape at the start.
     Cable(usize, CableStateError),
-    /// Forces that are not finite numbers.
+    /// Forces are not finite.
     Overflow,
-    /// No shorter step helped.
+    /// No shortened step decreased the residual.
     Stalled,
-    /// The limit of iterations.
+    /// The limit of iterations was reached.
     Iterations,
 }
 
-/// Forward problem of straight elastic cables, by whose pose other cables are sought.
+/// Solver for straight elastic cables, near whose pose other cables are sought.
 pub(super) type SolveStraight = fn(&Model, &[f64], &Load, &Pose, &Settings) -> Result<Solution, InputError>;
 
 /// Model, load and settings of a forward problem.
@@ -84,14 +84,14 @@ struct Problem<'a> {
     mean_length: f64,
 }
 
-/// Balance of the cables, as the loop of all searches sees it.
+/// Balance of the cables, as a problem of the common descent loop.
 struct Descent<'a, 'p> {
     cables: &'a mut Composed,
     problem: &'a Problem<'p>,
     start: Pose,
-    /// Newton's step, turns as the way at the platform radius (m).
+    /// Newton's step, rotations times the platform radius (m).
     step: Vector6<f64>,
-    /// `None` before the start was tried.
+    /// `None` before the start was evaluated.
     point: Option<Point>,
     /// `None` if a cable has no shape.
     trial: Option<Point>,
@@ -109,7 +109,7 @@ impl solve::Problem for Descent<'_, '_> {
         Step::whole(self.step.norm(), is_regular)
     }
 
-    /// Helpful is a step that shrinks the residual by a share of what it promises (Armijo 1966), or the last one.
+    /// A step helps if it decreases the residual as much as Armijo (1966) requires, or if it is the last one.
     fn evaluate(&mut self, fraction: f64, is_last: bool) -> Trial<f64> {
         let pose = self
             .point
@@ -132,19 +132,19 @@ impl solve::Problem for Descent<'_, '_> {
         }
     }
 
-    /// Rounding is all that is left.
+    /// True if the residual is rounding.
     fn rests(&mut self, size: f64, _: f64) -> bool {
         size <= 1e-9 * self.problem.mean_length.max(1.0)
     }
 }
 
 impl Composed {
-    /// True for models that no closed form serves.
+    /// True for models that need this search.
     pub(super) fn serves(model: &Model) -> bool {
         matches!(model.cables(), Cables::Stretching | Cables::Sagging)
     }
 
-    /// Memory for the models that it serves.
+    /// Memory for such a model; `None` for others.
     pub(super) fn new(model: &Model) -> Option<Self> {
         if !Self::serves(model) {
             return None;
@@ -160,20 +160,20 @@ impl Composed {
         })
     }
 
-    /// The cables of a model, never loaded.
+    /// Takes the cables of a model, never loaded.
     pub(super) fn take_laws(&mut self, model: &Model) {
         self.laws.iter_mut().enumerate().for_each(|(cable, law)| law.clone_from(model.law(cable)));
         self.is_rigid = model.composition().stretch == StretchEffect::Rigid;
     }
 
-    /// The cables at these memories.
+    /// Sets the memories of the cables.
     pub(super) fn set_memories(&mut self, memories: &[Memory]) {
         for (law, memory) in self.laws.iter_mut().zip(memories) {
             law.stretch = law.stretch.with_memory(memory);
         }
     }
 
-    /// Pose and tensions for controlled lengths (m).
+    /// Writes pose and tensions for controlled lengths (m).
     pub(super) fn solve(
         &mut self,
         question: Question<'_>,
@@ -211,7 +211,7 @@ impl Composed {
         Ok(())
     }
 
-    /// Searches from one start and judges the end.
+    /// Searches from one start and writes the solution.
     fn search(
         &mut self,
         problem: &Problem<'_>,
@@ -256,7 +256,7 @@ impl Composed {
         }
     }
 
-    /// All cables at a pose, into `trial`.
+    /// Evaluates all cables at a pose, into `trial`.
     fn try_at(&mut self, problem: &Problem<'_>, pose: &Pose) -> Result<Point, Failure> {
         self.trial.clear();
         let (mut wrench, rotation) = (problem.load.wrench(pose), pose.rotation_rows());
@@ -282,7 +282,7 @@ impl Composed {
         std::mem::swap(&mut self.states, &mut self.trial_states);
     }
 
-    /// K_wx of the accepted cables, turns as the way at the platform radius; the unit matrix where the pattern has no motion.
+    /// K_wx of the accepted cables, rotations divided by the platform radius; the identity in rows without a motion.
     fn stiffness(&self, problem: &Problem<'_>, pose: &Pose) -> Matrix6<f64> {
         let whole = self.accepted.iter().fold(-problem.load.gradient(pose), |sum, cable| sum + cable.stiffness());
         let basis = problem.model.twist_basis();
@@ -295,12 +295,12 @@ impl Composed {
         scaled
     }
 
-    /// Newton's step δx = K_wx⁻¹ (Aᵀf + w), turns as the way at the platform radius (m).
+    /// Newton's step δx = K_wx⁻¹ (Aᵀf + w), rotations times the platform radius (m).
     fn step(&self, problem: &Problem<'_>, point: &Point) -> Option<Vector6<f64>> {
         let stiffness = self.stiffness(problem, &point.pose);
         let plain = stiffness.lu().solve(&point.residual).filter(|step| step.norm().is_finite());
         plain.or_else(|| {
-            // indifferent directions are held by a little of the others' stiffness
+            // singular directions get a small fraction of the largest stiffness
             let floor = 1e-9 * stiffness.diagonal().amax().max(1e-6);
             (stiffness + Matrix6::identity() * floor).lu().solve(&point.residual)
         })
@@ -354,7 +354,7 @@ impl Composed {
 }
 
 impl Problem<'_> {
-    /// 1 for a translation, the platform radius for a turn.
+    /// 1 for a translation, the platform radius for a rotation (m).
     fn unit(&self, entry: usize) -> f64 {
         if entry < self.model.axes().len() { 1.0 } else { self.radius }
     }
@@ -389,7 +389,7 @@ fn smallest(symmetric: &Matrix6<f64>, dof: usize) -> f64 {
     }
 }
 
-/// Pose of rest of the [straight machine](straight_model); the guess when none is found.
+/// Equilibrium pose of the [straight machine](straight_model); the guess if none is found.
 fn straight_pose(problem: &Problem<'_>, guess: &Pose) -> Result<Pose, InputError> {
     let Some(model) = straight_model(problem.model) else { return Ok(*guess) };
     let solution = (problem.solve_straight)(&model, problem.lengths, problem.load, guess, problem.settings)?;

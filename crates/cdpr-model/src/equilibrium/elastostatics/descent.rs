@@ -9,7 +9,7 @@ use crate::scalar::{Kernel, LANES, Lanes, dispatch_narrow, ldl};
 pub(super) use crate::solve::Stop;
 use crate::solve::{self, Control, Rules, Step, StepRule, Trial, descend};
 
-/// Tensions (N) and geometric lengths (m) packed like the model's groups: where the descent stands, and at its trial.
+/// Tensions (N) and geometric lengths (m) packed like the model's groups, at the accepted pose and at the trial.
 #[derive(Clone, Debug)]
 pub(super) struct Tensions {
     pub(super) accepted: Vec<[f64; LANES]>,
@@ -74,7 +74,7 @@ impl<const N: usize> Kernel for EquilibriumDescent<'_, N> {
         let Self { problem, start, tensions } = self;
         let tolerance = problem.settings.pose_tolerance * problem.mean_length.max(1.0);
         let max_iterations = problem.settings.max_iterations;
-        // any finite energy is better
+        // any finite energy is lower
         let point = Point { right: [0.0; N], matrix: [[0.0; N]; N], energy: f64::INFINITY, residual: [0.0; 6] };
         let (pose, trial, amounts) = (*start, *start, [0.0; N]);
         let (points, has_stiffness) = ([point; 2], false);
@@ -82,7 +82,7 @@ impl<const N: usize> Kernel for EquilibriumDescent<'_, N> {
             Descent { lanes, problem, tensions, pose, trial, points, here: 0, stiffness: 0, has_stiffness, amounts };
         let rules = Rules { tolerance, max_iterations, least_gain: 0.0, rule: StepRule::Damping };
         let ended = descend(&mut descent, &rules);
-        // a start without forces is told as it is
+        // a degenerate start is reported as it is
         let here = if ended.stop() == Stop::Degenerate { 1 } else { descent.here };
         let mut stiffness = [[0.0; 6]; 6];
         for row in 0..N {
@@ -93,19 +93,19 @@ impl<const N: usize> Kernel for EquilibriumDescent<'_, N> {
     }
 }
 
-/// Least energy of the cables under the load, as the loop of all searches sees it.
+/// Energy of the cables under the load, as a problem of the common descent loop.
 struct Descent<'a, L, const N: usize> {
     lanes: L,
     problem: &'a Problem<'a>,
     tensions: &'a mut Tensions,
     pose: Pose,
     trial: Pose,
-    /// Balances at the pose and at the trial, in turns.
+    /// Balances at the pose and at the trial, in alternating order.
     points: [Point<N>; 2],
     here: usize,
-    /// The last point at which the stiffness was needed.
+    /// Index of the last point with a stiffness.
     stiffness: usize,
-    /// Set where the trial has its stiffness.
+    /// True if the trial has its stiffness.
     has_stiffness: bool,
     /// Step in the robot's degrees of freedom.
     amounts: [f64; N],
@@ -114,7 +114,7 @@ struct Descent<'a, L, const N: usize> {
 impl<L: Lanes, const N: usize> solve::Problem for Descent<'_, L, N> {
     type Number = f64;
 
-    /// Newton's step, damped by a share of the cables' stiffness.
+    /// Newton's step, damped by a fraction of the cables' stiffness.
     #[inline]
     fn step(&mut self, control: &Control<f64>) -> Step<f64> {
         let Self { problem, points, here, .. } = &*self;
@@ -154,7 +154,7 @@ impl<L: Lanes, const N: usize> solve::Problem for Descent<'_, L, N> {
         }
     }
 
-    /// Rounding hides what is left to gain; a step that damping made short says nothing of the kind.
+    /// True if the residual is rounding; a step that is short because of damping does not show that.
     #[inline(never)] // seldom needed: the kernel stays small without it
     fn rests(&mut self, size: f64, tolerance: f64) -> bool {
         let undecided = self.problem.undecided(self.tensions);
@@ -171,7 +171,8 @@ impl Problem<'_> {
 }
 
 impl<L: Lanes, const N: usize> Descent<'_, L, N> {
-    /// The balance at the trial; the stiffness of an end is that before its last step, over which it hardly changes.
+    /// The balance at the trial; the stiffness at the end is the one before the last step, over which it hardly
+    /// changes.
     #[inline]
     fn write_trial(&mut self, with_stiffness: bool) {
         let Tensions { trial, trial_lengths, .. } = &mut *self.tensions;
@@ -216,7 +217,8 @@ impl<L: Lanes, const N: usize> Descent<'_, L, N> {
         squared(wrench, self.problem.model.axes().len(), self.problem.platform_radius)
     }
 
-    /// A step counts when energy falls, or when the residual wrench is halved: near the end, where rounding hides energies.
+    /// True if the energy falls, or if the residual wrench is halved: near the end rounding hides differences of
+    /// energy.
     #[inline]
     fn is_better(&self) -> bool {
         let (point, next) = (&self.points[self.here], &self.points[1 - self.here]);

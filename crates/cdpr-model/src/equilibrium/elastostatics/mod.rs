@@ -1,13 +1,13 @@
 //! Elastostatic forward problem: pose and tensions that follow from controlled lengths and load (eq. 2.42–2.43).
 //!
-//! Find (x, f) with Aᵀ(x) f + w(x) = 0 and fᵢ = max(0, (qᵢ(x) − q_θ,ᵢ)/cᵢ): the platform rests where the elastic energy of
-//! the cables minus the work of the load is least. Damped Newton steps descend this energy with the symmetric part of
-//! its Hessian K_wx = K_C − K_G − ∂w/∂x; near the end the constant moments' skew part joins in, so that convergence is
-//! quadratic. A first descent lets cables push, since where none has to that finds the same pose in fewer steps.
+//! Find (x, f) with Aᵀ(x) f + w(x) = 0 and fᵢ = max(0, (qᵢ(x) − q_θ,ᵢ)/cᵢ): the platform rests where the elastic energy
+//! of the cables minus the work of the load is least. Damped Newton steps descend this energy with the symmetric part
+//! of its Hessian K_wx = K_C − K_G − ∂w/∂x; near the end the skew part from constant moments is added, so that
+//! convergence is quadratic. A first descent lets cables push: if none has to, it finds the same pose in fewer steps.
 //!
-//! Rigid cables (fewer than or as many as degrees of freedom) are stiff springs whose rest lengths follow their tensions until
-//! no cable is longer than its controlled length, the method of multipliers; the last digits come from Newton steps on pose
-//! and tensions together.
+//! Rigid cables (fewer than or as many as degrees of freedom) are stiff springs with rest lengths that follow their
+//! tensions until no cable is longer than its controlled length, the method of multipliers; the last digits come from
+//! Newton steps on pose and tensions together.
 
 mod attempt;
 mod balance;
@@ -46,7 +46,7 @@ use crate::statics::Load;
 /// Finds pose and tensions for controlled lengths q_θ (m, one per cable) under a load, from a guess.
 ///
 /// Lengths are those of the model, without the recorded scale and offset ([`Model::controlled_length`] removes them).
-/// The motion pattern holds: what the pattern cannot move keeps the guess's value. Cables cannot push.
+/// Coordinates outside the motion pattern keep the guess's value. Cables cannot push.
 ///
 /// Many poses of one model are faster with one [`Solver`].
 pub fn solve(
@@ -68,7 +68,7 @@ pub struct Solver<'a> {
     settings: Settings,
     load: Load,
     platform_radius: f64,
-    /// Set while a batch asks for taut cables only.
+    /// True while a batch solves for taut cables only.
     only_taut: bool,
     scratch: Scratch,
 }
@@ -80,7 +80,7 @@ pub(super) struct Scratch {
     springs: Vec<Springs>,
     tensions: Tensions,
     composed: Option<Composed>,
-    /// Lengths of one item of a batch.
+    /// Lengths of one problem of a batch (m).
     lengths: Vec<f64>,
     pub(super) solution: Solution,
 }
@@ -98,7 +98,7 @@ impl Scratch {
         }
     }
 
-    /// True where it has room for the cables of a model.
+    /// True if the memory fits the cables of a model.
     pub(super) fn fits(&self, model: &Model) -> bool {
         self.lengths.len() == model.cable_count() && self.composed.is_some() == Composed::serves(model)
     }
@@ -110,7 +110,7 @@ impl<'a> Solver<'a> {
         Self::with(model, load, settings, Scratch::new(model))
     }
 
-    /// [`Solver::new`] in memory that a solver has left, which fits the model.
+    /// [`Solver::new`] with the memory of an earlier solver, which fits the model.
     pub(super) fn with(
         model: &'a Model,
         load: &Load,
@@ -133,12 +133,12 @@ impl<'a> Solver<'a> {
         Ok(Self { model, settings: settings.clone(), load: *load, platform_radius, only_taut: false, scratch })
     }
 
-    /// The memory, with the last solution in it.
+    /// Returns the memory, with the last solution in it.
     pub(super) fn into_scratch(self) -> Scratch {
         self.scratch
     }
 
-    /// Cables that start from these memories, one per cable; without effect where laws have none.
+    /// Sets the memories from which cables start, one per cable; no effect for laws without memory.
     #[must_use]
     pub(super) fn with_memories(mut self, memories: &[Memory]) -> Self {
         if let Some(composed) = &mut self.scratch.composed {
@@ -147,7 +147,7 @@ impl<'a> Solver<'a> {
         self
     }
 
-    /// Finds one pose as [`solve`] does; with elastic cables it allocates nothing unless there is a reason to tell.
+    /// Finds one pose as [`solve`] does; with elastic cables it allocates nothing except for a reason in words.
     pub fn solve(&mut self, controlled_lengths: &[f64], guess: &Pose) -> Result<&Solution, InputError> {
         forward_kinematics::check_input(self.model, controlled_lengths, guess)?;
         if let Scratch { composed: Some(composed), solution, .. } = &mut self.scratch {

@@ -9,14 +9,14 @@ use super::stability;
 use crate::geometry::Pose;
 use crate::scalar::LANES;
 
-/// Corrections of the tensions that are tried.
+/// Corrections of the tensions allowed.
 const MAX_CORRECTIONS: u32 = 60;
-/// Excess beside the mean length from which on pose and tensions are found together.
+/// Excess relative to the mean length below which pose and tensions are solved for together.
 const NEAR: f64 = 1e-3;
-/// An excess that shrinks less than to this share makes the virtual springs ten times stiffer.
+/// Fraction to which the excess must shrink in one correction; otherwise the virtual springs become ten times stiffer.
 const SLOW: f64 = 0.1;
 
-/// Descends with virtual springs whose rest lengths follow the tensions: q_θ − f/k_v, until q ≤ q_θ where taut.
+/// Descends with virtual springs and rest lengths that follow the tensions: q_θ − f/k_v, until q ≤ q_θ for taut cables.
 ///
 /// At the end f = max(0, f + k_v (q − q_θ)) holds, which is balance with rigid cables.
 pub(super) fn attempt(
@@ -40,7 +40,7 @@ pub(super) fn attempt(
             let (group, lane) = (cable / LANES, cable % LANES);
             let spring = &mut springs[group];
             let tension = tensions.accepted[group][lane];
-            // q − q_θ from the spring's own law, exact where taut; slack cables are short enough
+            // q − q_θ from the spring's own law, exact if taut; slack cables are short enough
             let stretch = tension / spring.stiffness[lane] + spring.rest_length[lane] - rigid.lengths[cable];
             let is_or_was_taut = tension > 0.0 || spring.rest_length[lane] < rigid.lengths[cable];
             if is_or_was_taut {
@@ -79,7 +79,7 @@ pub(super) fn attempt(
     unreachable!("the loop ends by its own count")
 }
 
-/// Back to the softness that a descent starts with.
+/// Resets the springs to the stiffness with which a descent starts.
 fn reset(rigid: &Rigid<'_>, springs: &mut [Springs], stiffening: f64) {
     for cable in rigid.cables() {
         springs[cable / LANES].stiffness[cable % LANES] /= stiffening;

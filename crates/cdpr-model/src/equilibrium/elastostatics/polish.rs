@@ -1,8 +1,8 @@
 //! The last digits with rigid cables: Newton steps on pose and tensions together.
 //!
-//! Flat configurations need tensions far above the load; there virtual springs would have to be so stiff that rounding of
-//! the pose is felt. With the tensions as unknowns of their own nothing is stiff: S δf − K δx = −r and Sᵀ δx = q − q_θ, with
-//! the columns S of the structure matrix that belong to taut rigid cables and K = K_C − K_G − ∂w/∂x of everything else.
+//! Flat configurations need tensions far above the load; there virtual springs would have to be so stiff that rounding
+//! of the pose shows. With the tensions as additional unknowns nothing is stiff: S δf − K δx = −r and Sᵀ δx = q − q_θ,
+//! with the columns S of the structure matrix for taut rigid cables and K = K_C − K_G − ∂w/∂x of all other parts.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -14,10 +14,10 @@ use crate::solve::{self, Control, Rules, Step, StepRule, Trial, descend};
 use crate::statics::{Load, geometric_stiffness, wrench_residual};
 
 const MAX_STEPS: u32 = 8;
-/// Residual wrench beside the sum of the tensions that is left to rounding.
+/// Residual wrench relative to the sum of the tensions that counts as rounding.
 const RESIDUAL: f64 = 1e-11;
 
-/// A pose with its tensions, and what is missing there.
+/// A pose with its tensions and residuals.
 struct State {
     pose: Pose,
     /// One per cable (N).
@@ -28,7 +28,7 @@ struct State {
     excess: f64,
 }
 
-/// Balance of pose and tensions together, as the loop of all searches sees it.
+/// Balance of pose and tensions together, as a problem of the common descent loop.
 struct Polish<'a, 'p> {
     problem: &'a Problem<'p>,
     rigid: &'a Rigid<'a>,
@@ -49,7 +49,7 @@ impl solve::Problem for Polish<'_, '_> {
         Step::whole(size, is_regular)
     }
 
-    /// Helpful is a step that halves what is missing in forces or in lengths.
+    /// A step helps if it halves the residual of forces or of lengths.
     fn evaluate(&mut self, _: f64, _: bool) -> Trial<f64> {
         let halves = |trial: &State, state: &State| {
             trial.residual.norm() < 0.5 * state.residual.norm() || trial.excess < 0.5 * state.excess
@@ -67,8 +67,8 @@ impl solve::Problem for Polish<'_, '_> {
 }
 
 impl Problem<'_> {
-    /// Steps on pose and tensions from a pose near the solution; `None` if they do not lead there or change which
-    /// cables are taut.
+    /// Takes steps on pose and tensions from a pose near the solution; `None` if they do not converge or change the set
+    /// of taut cables.
     pub(super) fn polished(
         &self,
         rigid: &Rigid<'_>,
@@ -80,7 +80,7 @@ impl Problem<'_> {
         let start = self.state(rigid, load, &taut, end.pose, tensions.to_vec())?;
         let mut polish = Polish { problem: self, rigid, load, taut: &taut, state: None, trial: Some(start) };
         let rules = Rules {
-            // to the last digit
+            // to rounding
             tolerance: f64::EPSILON * self.mean_length,
             max_iterations: MAX_STEPS,
             least_gain: 0.0,
@@ -127,7 +127,7 @@ impl Problem<'_> {
                 excess = excess.max((length - rigid.lengths[cable]).abs());
             }
         }
-        // statics refuses tensions below zero, so does the physics
+        // statics refuses tensions below zero, which cables do not have
         let residual = wrench_residual(self.model, &pose, &tensions, load).ok()?;
         Some(State { pose, tensions, residual, excess })
     }

@@ -24,8 +24,8 @@ impl LoadParts {
         }
     }
 
-    /// Adds forces, weight and constant moment to a residual wrench and the lower triangle of its stiffness, for one pose or for poses in
-    /// lanes. Weight acts in R c and turns with the platform: the answer is R c (m).
+    /// Adds forces, weight and constant moment to a residual wrench and the lower triangle of its stiffness, for one
+    /// pose or for poses in lanes. Weight acts at R c and turns with the platform; returns R c (m).
     #[inline(always)]
     pub(super) fn add_to<T: Real>(
         &self,
@@ -67,22 +67,22 @@ pub(super) fn squared<T: Real, const N: usize>(wrench: &[T; N], translations: us
     sum
 }
 
-/// A model with lengths to obey and a load to carry.
+/// A model with controlled lengths and a load.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Problem<'a> {
     pub(super) model: &'a Model,
     pub(super) settings: &'a Settings,
     pub(super) load: LoadParts,
     pub(super) full_load: &'a Load,
-    /// A constant moment makes the stiffness unsymmetric.
+    /// True if a constant moment makes the stiffness unsymmetric.
     pub(super) has_moment: bool,
     pub(super) springs: &'a [Springs],
-    /// Least stretch with a force (m): 0 for cables, −∞ for bars.
+    /// Least stretch with a tension (m): 0 for cables, −∞ for bars.
     pub(super) floor: f64,
     /// Sum of the cables' stiffness (N/m): the unit of damping.
     pub(super) stiffness_scale: f64,
     pub(super) mean_length: f64,
     pub(super) platform_radius: f64,
-    /// An equilibrium with slack cables is none.
+    /// True if equilibria with slack cables do not count.
     pub(super) only_taut: bool,
 }

@@ -1,6 +1,6 @@
 //! Cables that do not stretch.
 
-/// Which cables do not stretch, and the lengths they may have at most.
+/// Flags of the cables that do not stretch, and the largest lengths that they allow (m).
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Rigid<'a> {
     pub(super) lengths: &'a [f64],

@@ -1,4 +1,4 @@
-//! From one start to an end, and from several starts to the best of their ends.
+//! Search from one start, and the best of the searches from several starts.
 
 use super::attempt::Attempt;
 use super::descent::{EquilibriumEnd, Stop, Tensions};
@@ -28,8 +28,8 @@ impl Problem<'_> {
         sum.sqrt()
     }
 
-    /// Wrench that balance leaves undecided (N): a share of the forces at work, and what rounding of the lengths makes of the
-    /// cables' stiffness.
+    /// Residual wrench that counts as balance (N): a fraction of the acting forces, plus the effect of rounding of the
+    /// lengths through the stiffness of the cables.
     pub(super) fn undecided(&self, tensions: &Tensions) -> f64 {
         let pull: f64 = tensions.accepted.as_flattened().iter().map(|tension| tension.abs()).sum();
         let stiffness: f64 = self.springs.iter().flat_map(|springs| springs.stiffness).sum();
@@ -42,7 +42,7 @@ impl Problem<'_> {
         size(&self.load.constant[..3]) + size(&self.load.weight)
     }
 
-    /// Stiffness that counts as none (N/m).
+    /// Stiffness below which an equilibrium is indifferent (N/m).
     pub(super) fn indifferent_stiffness(&self) -> f64 {
         indifferent_stiffness(self.stiffness_scale, self.force(), self.mean_length)
     }
@@ -81,11 +81,11 @@ impl Problem<'_> {
     }
 }
 
-/// How a search goes from a start: with the stiffness of the cables at once, or from soft cables.
+/// First stiffness of the cables in a search from one start.
 #[derive(Clone, Copy)]
 enum Approach {
     Direct,
-    /// Soft at first, then stiffer by and by.
+    /// Soft at first, then stiffer in stages.
     FromSoft,
 }
 
@@ -142,7 +142,7 @@ impl Solver<'_> {
         base.judge(&best, &rigid, solution);
     }
 
-    /// The cables as springs; rigid ones with a stiffness that the multipliers correct.
+    /// Sets the cables' springs; rigid cables get a virtual stiffness, which the multipliers correct.
     fn set_springs(&mut self, lengths: &[f64], mean_length: f64) {
         let mut stiffest = 0.0_f64;
         for (cable, &length) in lengths.iter().enumerate() {
@@ -155,7 +155,7 @@ impl Solver<'_> {
                 stiffest = stiffest.max(lane.stiffness[at]);
             }
         }
-        // stiff against what bends under the load, soft enough for the descent
+        // stiff compared with the deflection under the load, soft enough for the descent
         let force = self.load.constant_part().fixed_rows::<3>(0).norm() + self.load.weight().0.norm();
         let virtual_stiffness = f64::max(1e3 * force / mean_length, 10.0 * stiffest).max(1.0);
         for cable in (0..lengths.len()).filter(|&cable| self.scratch.is_rigid[cable]) {
@@ -164,7 +164,7 @@ impl Solver<'_> {
         self.fill(lengths.len());
     }
 
-    /// Copies the last cable's lengths into the lanes that fill a group, where they weigh nothing.
+    /// Copies the last cable's length into the lanes that pad a group, whose stiffness is zero.
     fn fill(&mut self, cables: usize) {
         if let Some(Springs { rest_length, .. }) = self.scratch.springs.last_mut() {
             let last = (cables - 1) % LANES;
@@ -176,7 +176,7 @@ impl Solver<'_> {
 }
 
 impl super::Solution {
-    /// Unpacks the tensions of the last descent, and its lengths, from which the residuals will follow.
+    /// Unpacks the tensions of the last descent, and its lengths, from which the residuals follow.
     fn take_tensions(&mut self, tensions: &Tensions) {
         for (chunk, lanes) in self.tensions.chunks_mut(LANES).zip(&tensions.accepted) {
             chunk.copy_from_slice(&lanes[..chunk.len()]);

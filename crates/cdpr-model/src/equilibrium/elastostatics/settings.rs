@@ -1,26 +1,26 @@
-//! Settings of the elastostatic forward problem, and what it refuses.
+//! Settings of the elastostatic forward problem, and the input that it refuses.
 
 use thiserror::Error;
 
 use crate::equilibrium::forward_kinematics;
 use crate::solve::not_positive;
 
-/// When the elastostatic forward problem stops, and what it accepts.
+/// Settings of the elastostatic forward problem.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
-    /// Stop once the pose is this near to the equilibrium, judged by the last steps (m, relative to the mean length above
-    /// 1 m; angles times the platform radius).
+    /// The search stops once the pose is this near to the equilibrium, judged by the last steps (m, relative to the
+    /// mean length above 1 m; angles times the platform radius).
     pub pose_tolerance: f64,
-    /// For rigid cables: how much longer than its controlled length a cable may remain (m).
+    /// For rigid cables: largest excess of a cable over its controlled length (m).
     pub length_tolerance: f64,
-    /// Size of Aᵀ f + w that counts as balance, beside the forces at work; moments divided by the platform radius. A tension
-    /// this small beside the others cannot be told from none.
+    /// Size of Aᵀ f + w that counts as balance, relative to the acting forces; moments divided by the platform radius.
+    /// A tension below this fraction of the others counts as none.
     pub wrench_tolerance: f64,
     /// Steps allowed for each descent.
     pub max_iterations: u32,
-    /// Other starts that may be tried when the first one does not lead to a stable equilibrium.
+    /// Further starts allowed if the first one does not lead to a stable equilibrium.
     pub max_restarts: u32,
-    /// A cable that stretches by more than this share of its controlled length deserves a remark.
+    /// Fraction of its controlled length by which a cable stretches before the answer has a remark.
     pub remarkable_strain: f64,
 }
 
@@ -41,7 +41,7 @@ impl Default for Settings {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum InputError {
-    /// Lengths, guess or settings, as for forward kinematics.
+    /// Invalid lengths, guess or settings, as for forward kinematics.
     #[error(transparent)]
     Kinematic(#[from] forward_kinematics::InputError),
     /// More rigid cables than degrees of freedom: their tensions do not follow from their lengths.

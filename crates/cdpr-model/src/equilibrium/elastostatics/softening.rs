@@ -1,18 +1,18 @@
-//! From soft cables to stiff ones: the way round the narrow valleys that stiff cables make of the energy.
+//! Search from soft cables to stiff ones, which avoids the narrow valleys that stiff cables cause in the energy.
 
 use super::attempt::Attempt;
 use super::descent::{Stop, Tensions};
 use super::problem::Problem;
 use crate::geometry::Pose;
 
-/// Stiffness of the softest cables that are tried, times the mean length and beside the load.
+/// Stiffness of the softest cables tried, times the mean length and relative to the load.
 const SOFTEST: f64 = 100.0;
-/// Each time so much stiffer.
+/// Factor from one stiffness to the next.
 const STIFFER: f64 = 10.0;
 
 impl Problem<'_> {
-    /// Descends with no cable stiffer than a limit, which is raised until it limits none; `None` if cables are soft anyway or
-    /// no load pulls on them.
+    /// Descends with the stiffness of all cables limited, and raises the limit until it has no effect; `None` if cables
+    /// are soft anyway or the load has no force.
     pub(super) fn attempt_from_soft(&self, start: &Pose, tensions: &mut Tensions) -> Option<Attempt> {
         let stiffest = self.springs.iter().flat_map(|springs| springs.stiffness).fold(0.0, f64::max);
         let mut limit = SOFTEST * self.force() / self.mean_length;

@@ -1,4 +1,4 @@
-//! Is an equilibrium stable, and where to go when it is not.
+//! Stability of an equilibrium, and starts beside an unstable one.
 
 use nalgebra::DMatrix;
 
@@ -12,7 +12,7 @@ use crate::scalar::decomposition::{smallest_eigenvalue, svd, symmetric_eigen};
 use crate::scalar::eigenvalue::smallest_eigenvalue_of;
 use crate::tension::{Limits, quadratic};
 
-/// How far from an unstable equilibrium to start again, relative to the mean length.
+/// Distance of a new start from an unstable equilibrium, relative to the mean length.
 const ESCAPE: f64 = 0.02;
 
 /// Smallest eigenvalue of the stiffness (lower triangle), rotations divided by the platform radius (N/m).
@@ -24,7 +24,7 @@ pub(super) fn stability(problem: &Problem<'_>, stiffness: &[[f64; 6]; 6]) -> f64
     }
 }
 
-/// Lower triangle.
+/// Lower triangle of the stiffness, rotations divided by the platform radius (N/m).
 fn scaled<const N: usize>(problem: &Problem<'_>, stiffness: &[[f64; 6]; 6]) -> [[f64; N]; N] {
     let inverse: [f64; N] = std::array::from_fn(|row| 1.0 / radius(problem, row));
     std::array::from_fn(|row| std::array::from_fn(|column| stiffness[row][column] * inverse[row] * inverse[column]))
@@ -35,9 +35,10 @@ fn radius(problem: &Problem<'_>, entry: usize) -> f64 {
     if entry < problem.model.axes().len() { 1.0 } else { problem.platform_radius }
 }
 
-/// Smallest eigenvalue of the stiffness where elastic cables rest (N/m).
+/// Smallest eigenvalue of the stiffness at an equilibrium of elastic cables (N/m).
 ///
-/// A cable between slack and taut holds to one side only: it counts where others hold what it cannot.
+/// A cable between slack and taut holds in one direction only: its stiffness counts if such cables together hold all
+/// weak motions.
 pub(super) fn of_cables(problem: &Problem<'_>, tensions: &Tensions, end: &EquilibriumEnd, undecided: f64) -> f64 {
     let touches = |cable: &usize| {
         let (group, lane) = (cable / LANES, cable % LANES);
@@ -65,7 +66,7 @@ pub(super) fn of_cables(problem: &Problem<'_>, tensions: &Tensions, end: &Equili
     }
 }
 
-/// The stiffness of all cables but these at a pose (N/m).
+/// The stiffness at a pose without these cables (N/m).
 fn without(problem: &Problem<'_>, cables: &[usize], pose: &Pose) -> DMatrix<f64> {
     let mut springs = problem.springs.to_vec();
     for &cable in cables {
@@ -77,10 +78,12 @@ fn without(problem: &Problem<'_>, cables: &[usize], pose: &Pose) -> DMatrix<f64>
     whole(problem, &end.stiffness)
 }
 
-/// Smallest eigenvalue of the stiffness on the motions that leave the lengths of taut rigid cables as they are: −K_G − ∂w/∂x
-/// and what elastic cables add. Infinite where there is no such motion. Cables that are just taut hold to one side only.
+/// Smallest eigenvalue (N/m) of the stiffness on the motions that do not change the lengths of taut rigid cables: −K_G
+/// − ∂w/∂x and the part of elastic cables. Infinite if there is no such motion. Cables that are just taut hold in one
+/// direction only.
 ///
-/// The stiffness of a polished end is that of elastic cables alone; others have virtual springs, whose share must not count.
+/// The stiffness of a polished end has only the part of elastic cables; others include virtual springs, which must not
+/// count.
 pub(super) fn beside_rigid_cables(
     problem: &Problem<'_>,
     rigid: &Rigid<'_>,
@@ -102,7 +105,7 @@ pub(super) fn beside_rigid_cables(
         path.length >= rigid.lengths[*cable] - problem.settings.length_tolerance
     };
     let touching: Vec<usize> = slack.into_iter().filter(touches).collect();
-    // A square matrix, so that the decomposition has all n directions.
+    // a square matrix, so that the decomposition has all n directions
     let held = DMatrix::from_fn(n, n, |row, column| taut.get(column).map_or(0.0, |&cable| columns[(row, cable)]));
     let Some(directions) = svd(held, true, false).and_then(|decomposition| decomposition.u) else { return f64::NAN };
     let along = |direction: usize| {
@@ -120,16 +123,17 @@ pub(super) fn beside_rigid_cables(
     }
 }
 
-/// Holder of the weakest motions.
+/// Outcome of `weakest`: whether the weak motions are held.
 enum Weakest {
-    /// Cables that are just taut, some of which every such motion makes longer; the smallest eigenvalue of the other motions
-    /// (N/m), infinite where there are none.
+    /// Held by cables that are just taut, since each such motion lengthens some of them; with the smallest eigenvalue
+    /// of the other motions (N/m), infinite if there are none.
     Held(f64),
-    /// Nothing but the stiffness: its smallest eigenvalue (N/m).
+    /// Not held: the smallest eigenvalue of the stiffness (N/m).
     Free(f64),
 }
 
-/// Looks whether cables that are just taut hold the motions, combinations of the columns of `motions`, that a stiffness leaves free.
+/// Finds out whether cables that are just taut hold the weak motions of a stiffness, among the combinations of the
+/// columns of `motions`.
 fn weakest(problem: &Problem<'_>, motions: &DMatrix<f64>, stiffness: DMatrix<f64>, touching: &DMatrix<f64>) -> Weakest {
     let Some(eigen) = symmetric_eigen(motions.transpose() * stiffness * motions) else {
         return Weakest::Free(f64::NAN);
@@ -147,8 +151,8 @@ fn weakest(problem: &Problem<'_>, motions: &DMatrix<f64>, stiffness: DMatrix<f64
     }
 }
 
-/// True where every motion makes some cable longer, of which the columns are minus the lengthening by each motion: where tensions
-/// above zero balance each other and the columns span all motions.
+/// True if every motion lengthens some cable. Each column is minus a cable's lengthening by each motion; the condition
+/// is that tensions above zero balance each other and that the columns span all motions.
 fn blocks_all(columns: &DMatrix<f64>) -> bool {
     let largest = columns.amax();
     let Some(decomposition) = svd(columns.clone(), false, false) else { return false };
@@ -161,7 +165,7 @@ fn blocks_all(columns: &DMatrix<f64>) -> bool {
     balance.is_ok_and(|found| found.status == quadratic::Status::Feasible)
 }
 
-/// The structure matrix, turns as the way at the platform radius; `None` if a cable has no path.
+/// The structure matrix with moments divided by the platform radius; `None` if a cable has no path.
 fn columns(problem: &Problem<'_>, pose: &Pose) -> Option<DMatrix<f64>> {
     let mut columns = problem.model.structure_matrix(pose).ok()?;
     for (row, mut entries) in columns.row_iter_mut().enumerate() {
@@ -170,7 +174,7 @@ fn columns(problem: &Problem<'_>, pose: &Pose) -> Option<DMatrix<f64>> {
     Some(columns)
 }
 
-/// Both triangles of the stiffness, turns as the way at the platform radius (N/m).
+/// Both triangles of the stiffness, rotations divided by the platform radius (N/m).
 fn whole(problem: &Problem<'_>, stiffness: &[[f64; 6]; 6]) -> DMatrix<f64> {
     let n = problem.model.dof();
     DMatrix::from_fn(n, n, |row, column| {
@@ -178,7 +182,7 @@ fn whole(problem: &Problem<'_>, stiffness: &[[f64; 6]; 6]) -> DMatrix<f64> {
     })
 }
 
-/// Two poses beside an unstable equilibrium, along the direction in which it falls; nothing beside other ends.
+/// Two poses on both sides of an unstable equilibrium, along its softest motion; `None` twice for other ends.
 pub(super) fn escapes(problem: &Problem<'_>, attempt: &Attempt) -> [Option<Pose>; 2] {
     if attempt.end.stop != Stop::Stationary || attempt.stability.is_nan() {
         return [None; 2];

@@ -1,14 +1,14 @@
-//! A machine with straight cables that rest near where others do: the search for these starts from its equilibrium.
+//! A model with straight cables whose equilibrium is near that of others: the search for these starts there.
 
 use crate::cable::stretch::Stretch;
 use crate::model::{Composition, Model, SpanEffect, StretchEffect};
 use crate::robot::CableStiffness;
 
-/// Compliance with which the search for cables that do not stretch begins (1/N).
+/// First compliance in the search for cables that do not stretch (1/N).
 pub(super) const FIRST_COMPLIANCE: f64 = 1e-7;
 
-/// The model with straight cables that stretch linearly, as its own do at half their largest tension; `None` where the robot makes no
-/// such model.
+/// The model with straight cables that stretch linearly, as compliant as the model's own at half their largest tension;
+/// `None` if the robot has no such model.
 pub(super) fn straight_model(model: &Model) -> Option<Model> {
     let mut robot = model.robot().clone();
     for (cable, data) in robot.cables.iter_mut().enumerate() {

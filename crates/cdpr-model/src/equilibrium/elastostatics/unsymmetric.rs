@@ -2,8 +2,8 @@
 
 use crate::scalar::Real;
 
-/// Solves (K + S) x = right in the leading `n` unknowns for the symmetric K (lower triangle) and the skew part S that a constant moment M
-/// adds to the rotations, −½ \[M\]×.
+/// Solves (K + S) x = right in the leading `n` unknowns for the symmetric K (lower triangle) and the skew part S that a
+/// constant moment M adds to the rotations, −½ \[M\]×.
 ///
 /// K must be positive definite: then no pivoting is needed.
 #[inline(always)]

@@ -6,18 +6,19 @@ use super::rigid::Rigid;
 use super::{Problem, Solution, Status};
 use crate::statics::Stability;
 
-/// Reason of an equilibrium beside which there are others.
+/// Reason of an equilibrium whose pose is not unique.
 pub(super) const INDIFFERENT: &str = "the equilibrium is indifferent: the platform can move without resistance from here, lengths and load do not \
                                       determine its pose";
 
 impl Problem<'_> {
-    /// Fills in the solution from the best attempt, whose tensions it already has, and its lengths in place of the residuals.
+    /// Writes the solution from the best attempt; it already has the tensions, and in place of the residuals the
+    /// lengths.
     pub(super) fn judge(&self, best: &Attempt, rigid: &Rigid<'_>, solution: &mut Solution) {
         solution.pose = best.end.pose;
         solution.stability = best.stability;
         solution.wrench_residual = self.wrench_size(&best.end.residual);
         for (cable, residual) in solution.residuals.iter_mut().enumerate() {
-            // a pose polished for rigid cables is another than that of the descent
+            // a pose polished for rigid cables is not the one of the descent
             let length = match rigid.any() {
                 true => self.model.path_or_nan(cable, &best.end.pose).0.length,
                 false => *residual,
@@ -88,7 +89,7 @@ impl Problem<'_> {
         format!("{stop}; the best of {starts} starts leaves a wrench of {residual:.3e} N out of balance")
     }
 
-    /// Answers that are right and yet hardly meant: cables stretched beyond what they can take.
+    /// Remark on a converged answer with cables that stretch implausibly far.
     fn remark(&self, rigid: &Rigid<'_>, solution: &Solution) -> Option<String> {
         let strain = |cable: usize| self.model.path_or_nan(cable, &solution.pose).0.length / rigid.lengths[cable] - 1.0;
         let strains = (0..rigid.lengths.len()).map(|cable| (cable, strain(cable)));

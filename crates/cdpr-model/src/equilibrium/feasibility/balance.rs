@@ -24,13 +24,14 @@ impl<'a> Balance<'a> {
         Self { model, load, middle }
     }
 
-    /// True for robots with as many cables as degrees of freedom to eight, whose directions follow from the pose alone.
+    /// True for robots with up to eight cables, no fewer than degrees of freedom, whose directions follow from the pose
+    /// alone.
     pub(in crate::equilibrium) fn serves(model: &Model) -> bool {
         model.cables().has_fixed_directions() && (model.dof()..=LANES).contains(&model.cable_count())
     }
 
-    /// Fills in the rows of the structure matrix, zeros from row n on; where a cable may have no path the answer is above 0.
-    /// Columns without a cable are left as they are.
+    /// Writes the rows of the structure matrix, zeros from row n on; returns a number above 0 if a cable may have no
+    /// path. Columns without a cable do not change.
     #[inline(always)]
     pub(in crate::equilibrium) fn fill<L: Lanes>(
         &self,
@@ -52,7 +53,7 @@ impl<'a> Balance<'a> {
         needs_scalar
     }
 
-    /// Aᵀ f_m + w: what the middle of the limits leaves of the load.
+    /// Aᵀ f_m + w, the residual of the load at the middle of the limits (N, N·m).
     #[inline(always)]
     pub(in crate::equilibrium) fn residual<L: Lanes>(&self, rotation: &[[L; 3]; 3], rows: &Rows<L>) -> [L; 6] {
         let l = rotation[0][0];

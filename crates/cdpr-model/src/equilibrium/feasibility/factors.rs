@@ -1,27 +1,27 @@
 //! The solutions of the balance at eight poses at once.
 //!
-//! How many columns a reflection has left is the compiler's number, so that a row stays in registers; how many rows follow is the
-//! robot's. Columns without a cable are zeros and change nothing.
+//! The first column of a reflection is known to the compiler, so that a row stays in registers; the number of following
+//! rows is the robot's. Columns without a cable are zeros and change nothing.
 
 use crate::scalar::{LANES, Lanes};
 
-/// Rows of a structure matrix by cables, at eight poses; zeros where a robot has fewer.
+/// Rows of a structure matrix by cables, at eight poses; zeros for missing rows.
 pub(in crate::equilibrium) type Rows<L> = [[L; LANES]; 6];
 
 /// f = f₀ + H λ solves Aᵀ f + w = 0.
 pub(super) struct Solutions<L> {
     /// f₀, the minimum-norm solution, per cable (N).
     pub(super) minimum_norm: [L; LANES],
-    /// H by columns, orthonormal; the last ones are zero where redundancy is less than 2.
+    /// H by columns, orthonormal; the last ones are zero if the redundancy is less than 2.
     pub(super) null_space: [[L; LANES]; 2],
-    /// 1 where every row has a clear part beside those before it, 0 where rank may be lost.
+    /// 1 if every row is clearly independent of those before it, 0 if rank may be lost.
     pub(super) has_rank: L,
 }
 
-/// Squared sine of the angle between a row and those before it, below which lanes do not trust the rank.
+/// Squared sine of the angle between a row and those before it, below which the pose is solved on its own.
 pub(in crate::equilibrium) const INDEPENDENT: f64 = 1e-6;
 
-/// Householder reflections of the first `dof` rows, whose place they take.
+/// Householder reflections of the first `dof` rows, which they overwrite.
 struct Reflections<'a, L> {
     dof: usize,
     rows: &'a mut Rows<L>,
@@ -29,14 +29,15 @@ struct Reflections<'a, L> {
     factors: [L; 6],
     /// The rows' lengths, squared.
     squares: [L; 6],
-    /// Components of the load that rows not yet reached have to balance (N, N·m).
+    /// Residual of the load in the rows not yet reached (N, N·m).
     residual: [L; 6],
-    /// Rᵀ y = −residual, zeros behind.
+    /// y of Rᵀ y = −residual; the remaining entries are zero.
     solution: [L; LANES],
     has_rank: L,
 }
 
-/// [`Solutions`] for these rows, which are lost; `residual` is w. Two directions of the null space at most are found.
+/// [`Solutions`] for these rows, which are overwritten; `residual` is w. Finds at most two directions of the null
+/// space.
 #[inline(always)]
 pub(super) fn solve<L: Lanes>(
     lanes: L,
@@ -74,7 +75,7 @@ pub(super) fn solve<L: Lanes>(
 }
 
 impl<L: Lanes> Reflections<'_, L> {
-    /// The reflection that leaves of row K nothing beyond column K.
+    /// The reflection that zeroes row K beyond column K.
     #[inline(always)]
     fn find<const K: usize>(&mut self) {
         if K >= self.dof {
@@ -89,7 +90,7 @@ impl<L: Lanes> Reflections<'_, L> {
         let signed = (-length).select(v[K].is_less(zero), length);
         let head = v[K] + signed;
         v[K] = head;
-        // both reciprocals of one division
+        // both reciprocals from one division
         let factor = one / (signed * head);
         self.rows[K][K] = head;
         self.factors[K] = factor;
@@ -103,7 +104,7 @@ impl<L: Lanes> Reflections<'_, L> {
         }
     }
 
-    /// Reflects vectors, to be called from the last reflection to the first.
+    /// Applies the reflections to vectors; to be called from the last reflection to the first.
     #[inline(always)]
     fn apply<const K: usize>(&self, vectors: &mut [[L; LANES]]) {
         if K >= self.dof {
@@ -116,7 +117,7 @@ impl<L: Lanes> Reflections<'_, L> {
     }
 }
 
-/// Scalar product from column K on, in pairs of pairs: a short chain of sums.
+/// Scalar product from column K on, summed in pairs of pairs: a short chain of additions.
 #[inline(always)]
 pub(in crate::equilibrium) fn product<L: Lanes, const K: usize>(a: &[L; LANES], b: &[L; LANES]) -> L {
     let mut pairs = [a[0]; LANES / 2];

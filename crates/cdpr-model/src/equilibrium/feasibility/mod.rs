@@ -1,15 +1,15 @@
 //! Whether tensions within limits balance the load, at many poses at once: the exact verdict of [`quadratic`].
 //!
-//! Eight poses are decided side by side, a pose per lane. Orthogonal factors give the solutions f = f₀ + H λ of the balance;
-//! the limits are strips in the m − n coordinates λ, and strips have a common point exactly when every m − n + 1 of them have
-//! one (Helly's theorem): for redundancy 2, with Dᵢⱼ = det(hᵢ, hⱼ) and the limits f_m ± ρ,
+//! Eight poses are decided side by side, a pose per lane. Orthogonal factors give the solutions f = f₀ + H λ of the
+//! balance; the limits are strips in the m − n coordinates λ, and strips have a common point exactly when every m − n +
+//! 1 of them have one (Helly's theorem): for redundancy 2, with Dᵢⱼ = det(hᵢ, hⱼ) and the limits f_m ± ρ,
 //!
 //! |Dⱼₖ f₀ᵢ + Dₖᵢ f₀ⱼ + Dᵢⱼ f₀ₖ| ≤ |Dⱼₖ| ρᵢ + |Dₖᵢ| ρⱼ + |Dᵢⱼ| ρₖ for all i < j < k (f₀ counted from f_m),
 //!
-//! for redundancy 1 the same with pairs, and without redundancy f₀ itself must keep the limits. These are the facets of the
-//! available wrench set (Bouchard, Gosselin and Moore 2010). Where a verdict hangs on less than 1e-4 of the largest tension, where
-//! rows of the structure matrix are nearly dependent, where a cable may have no path, and for all other robots and effects,
-//! the single pose is asked.
+//! for redundancy 1 the same with pairs, and without redundancy f₀ itself must keep the limits. These are the facets of
+//! the available wrench set (Bouchard, Gosselin and Moore 2010). If a verdict depends on less than 1e-4 of the largest
+//! tension, if rows of the structure matrix are nearly dependent, if a cable may have no path, and for all other robots
+//! and effects, the pose is solved on its own.
 
 pub(super) mod balance;
 pub(super) mod factors;
@@ -29,10 +29,10 @@ use crate::tension::{InputError, Limits};
 use balance::Balance;
 use strips::Strips;
 
-/// Whether tensions within limits balance the load at each pose; false where a cable has no path.
+/// Writes for each pose whether tensions within limits balance the load; false if a cable has no path.
 ///
-/// Every answer is that of [`quadratic::solve`] with the structure matrix and the load at the pose, and for sagging cables that of
-/// [`distribution::solve`]. Asking for poses in order, and for many at a time, is fastest; [`Solver`] keeps its memory.
+/// Every answer is that of [`quadratic::solve`] with the structure matrix and the load at the pose, and for sagging
+/// cables that of [`distribution::solve`]. Many poses per call, in order, are fastest; [`Solver`] keeps its memory.
 pub fn feasible(
     model: &Model,
     load: &Load,
@@ -43,7 +43,7 @@ pub fn feasible(
     Solver::new(model, load, limits)?.solve(poses, answers)
 }
 
-/// Poses that are decided in lanes before those in doubt are asked one by one.
+/// Number of poses decided in lanes before those in doubt are solved one by one.
 const CHUNK: usize = 32;
 
 /// A solver for many poses of one model: its memory is claimed once and reused.
@@ -54,7 +54,7 @@ pub struct Solver<'a> {
     limits: Limits,
     single: quadratic::Solver,
     matrix: DMatrix<f64>,
-    /// Poses that were asked one by one, where one thread did all.
+    /// Number of poses solved one by one, if one thread did all.
     single_poses: usize,
 }
 
@@ -79,7 +79,7 @@ impl<'a> Solver<'a> {
         })
     }
 
-    /// One answer per pose; [`feasible`] says of what.
+    /// Writes one answer per pose, as [`feasible`] does.
     pub fn solve(&mut self, poses: &[Pose], answers: &mut [bool]) -> Result<(), InputError> {
         if poses.len() != answers.len() {
             return Err(InputError::AnswerCount { expected: poses.len(), found: answers.len() });
@@ -108,7 +108,7 @@ impl<'a> Solver<'a> {
         }
     }
 
-    /// The verdict of the single pose; no where it has none.
+    /// The verdict on a single pose; false without a verdict.
     fn ask_one(&mut self, pose: &Pose) -> bool {
         self.single_poses += 1;
         if !self.model.cables().has_fixed_directions() {
@@ -123,19 +123,19 @@ impl<'a> Solver<'a> {
         for (component, twist) in components.iter_mut().zip(self.model.twist_basis()) {
             *component = twist.dot(&wrench);
         }
-        // a pose is answered to the same bits whatever was asked before
+        // the answer at a pose must not depend on earlier poses
         self.single.forget();
         let found = self.single.solve(&self.matrix, &components[..self.model.dof()], &self.limits, None);
         found.is_ok_and(|found| found.status == Status::Feasible)
     }
 }
 
-/// Verdict of the lanes on a pose.
+/// Verdict on a pose from the lanes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Verdict {
     Feasible,
     Infeasible,
-    /// The single pose must be asked.
+    /// The pose must be solved on its own.
     Doubt,
 }
 
@@ -147,7 +147,7 @@ struct Chunk<'a> {
 }
 
 impl Chunk<'_> {
-    /// On an available unit; compiled here, once for library and tests.
+    /// Runs on an available unit; compiled only here, for library and tests.
     #[inline(never)]
     fn run_on(self, unit: Unit) {
         dispatch_on(unit, self).unwrap_or_default();

@@ -1,18 +1,18 @@
-//! Whether strips have a common point, for eight poses at once.
+//! Test whether strips have a common point, for eight poses at once.
 
 use super::factors::{self, Rows, Solutions};
 use crate::scalar::{LANES, Lanes};
 use crate::tension::Limits;
 
-/// A verdict that hangs on less than this share of the largest tension is left to the single pose. It is much more than
-/// rounding, so that nearly parallel rows of the null space may count as parallel.
+/// Fraction of the largest tension below which a verdict is left to the single pose. It is much more than rounding, so
+/// that nearly parallel rows of the null space may count as parallel.
 const BAND: f64 = 1e-4;
-/// The same for sums of products that may all be rounding.
+/// The same fraction for sums of products that may be rounding only.
 const ROUNDING: f64 = 1e-11;
-/// Sum of determinants below which strips are parallel, or do not depend on λ at all: then smaller sets of strips, which other
-/// determinants test, decide. Changing the rows that much changes tensions by less than `BAND` allows for.
+/// Sum of determinants below which strips are parallel, or do not depend on λ at all: then smaller sets of strips
+/// decide, which other determinants test. Such a change of the rows changes tensions by less than `BAND`.
 const PARALLEL: f64 = 1e-11;
-/// Tensions above this (N) cannot be calculated with.
+/// Tensions above this (N) are not calculated with.
 const LARGEST: f64 = 1e100;
 
 /// The limits as f_m ± ρ.
@@ -25,17 +25,18 @@ pub(super) struct Strips {
     scale: f64,
 }
 
-/// Largest excesses that the tests found so far.
+/// Largest excesses of all tests so far.
 struct Margins<L> {
-    /// Largest excess less the band: above rounding, no tensions exist.
+    /// Largest excess less the band: no tensions exist if it is above rounding.
     outside: L,
-    /// Largest excess plus the band: below −rounding, tensions exist.
+    /// Largest excess plus the band: tensions exist if it is below −rounding.
     inside: L,
     band: L,
 }
 
 impl<L: Lanes> Margins<L> {
-    /// One set of strips: the amount by which their common coordinate is missed, its reach, and the sum of determinants.
+    /// Adds one set of strips: the distance by which they miss a common point, the distance that their widths allow,
+    /// and the sum of determinants.
     #[inline(always)]
     fn add(&mut self, missed: L, reach: L, size: L) {
         let excess = missed.abs() - reach;
@@ -58,8 +59,8 @@ impl Strips {
         Self { dof, cables: limits.cable_count(), half, scale }
     }
 
-    /// 1 where tensions exist, −1 where none do, 0 where that is in doubt; `residual` is what the middle of the limits leaves of
-    /// the load, and `needs_scalar` above 0 where the rows mean nothing.
+    /// 1 if tensions exist, −1 if none do, 0 if that is in doubt; `residual` is the residual of the load at the middle
+    /// of the limits, and `needs_scalar` is above 0 if the rows are not valid.
     #[inline(always)]
     pub(super) fn verdicts<L: Lanes>(&self, lanes: L, rows: &mut Rows<L>, residual: [L; 6], needs_scalar: L) -> L {
         let (zero, one) = (lanes.constant(0.0), lanes.constant(1.0));
@@ -71,7 +72,7 @@ impl Strips {
         let none = lanes.constant(f64::NEG_INFINITY);
         let mut margins = Margins { outside: none, inside: none, band: scale * lanes.constant(BAND) };
         let rounding = scale * lanes.constant(ROUNDING);
-        // most poses that have tensions have the minimum-norm ones
+        // at most poses that have tensions the minimum-norm ones keep the limits
         let mut clear = none;
         for cable in 0..self.cables {
             clear = (solutions.minimum_norm[cable].abs() - lanes.constant(self.half[cable])).max(clear);
@@ -86,7 +87,7 @@ impl Strips {
         }
         let mut verdict = one.select(margins.inside.is_less(-rounding), zero);
         verdict = (-one).select(rounding.is_less(margins.outside), verdict);
-        // NaN passes none of these
+        // NaN passes none of these tests
         verdict = verdict.select(zero.is_less(solutions.has_rank), zero);
         verdict = verdict.select(scale.is_less(lanes.constant(LARGEST)), zero);
         verdict.select(needs_scalar.is_less(one), zero)
@@ -135,7 +136,7 @@ impl Strips {
                     margins.add(missed, reach, first_size + second_size + along_size);
                 }
             }
-            // nothing is left to find out where no pose of the eight has tensions
+            // the remaining tests change nothing if none of the eight poses has tensions
             if !lanes.any(margins.outside.is_less(rounding)) {
                 return;
             }

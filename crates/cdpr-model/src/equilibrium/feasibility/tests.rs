@@ -1,4 +1,4 @@
-//! Verdicts in lanes are those of the single pose, on every unit.
+//! Verdicts in lanes equal those of the single pose, on every unit.
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -31,7 +31,7 @@ fn poses(model: &Model, count: usize, rng: &mut ChaCha8Rng) -> Vec<Pose> {
     poses
 }
 
-/// The file's load and limits, or ones that some poses bear.
+/// The file's load and limits, or others that are feasible at some poses.
 fn problem(model: &Model) -> (Load, Limits) {
     let weight = Wrench::new(0.0, 0.0, -500.0, 0.0, 20.0, 0.0);
     let load = Load::of(model.robot()).unwrap_or(Load::constant(weight));
@@ -88,7 +88,7 @@ fn lanes_decide_nearly_all_poses_of_a_robot_with_eight_cables() {
     assert!(solver.single_poses < 20, "{} of {} poses one by one", solver.single_poses, poses.len());
 }
 
-/// Between a feasible and an infeasible pose, down to where rounding alone separates them.
+/// Between a feasible and an infeasible pose, down to poses that differ only by rounding.
 #[test]
 fn verdicts_agree_across_the_boundary() {
     let model = Model::new(Robot::builtin("cablerobot-simulator-helicopter").unwrap(), Composition::STANDARD).unwrap();

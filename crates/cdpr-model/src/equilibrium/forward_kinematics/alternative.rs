@@ -1,11 +1,11 @@
-//! Other poses that fit the lengths better than the one that belongs to the guess.
+//! Other poses that fit the lengths better than the one found from the guess.
 
 use super::descent::{Problem, Stop};
 use super::{Scratch, Solver, Status};
 use crate::equilibrium::restarts::restart_poses;
 use crate::geometry::Pose;
 
-/// A smaller share of the residual than this counts as a better fit.
+/// Fraction of the residual below which another pose fits better.
 const BETTER: f64 = 0.999;
 
 /// A pose that fits the lengths better than the answer does, and to which no descent from the guess leads.
@@ -18,8 +18,8 @@ pub struct Alternative {
 }
 
 impl Solver<'_> {
-    /// The best-fitting pose elsewhere, where the last solution leaves a residual that errors of measurement do not explain
-    /// (`suspicious_residual`); `None` if no other start leads to a better fit.
+    /// The best-fitting pose from other starts, if the last solution has a residual larger than errors of measurement
+    /// explain (`suspicious_residual`); `None` if no other start leads to a better fit.
     ///
     /// It takes as many descents as `max_restarts`, each as long as that of a solution.
     pub fn alternative(&mut self) -> Option<Alternative> {

@@ -1,4 +1,4 @@
-//! Second derivatives of the lengths, for the descent where lengths contradict each other.
+//! Second derivatives of the lengths, for descents with contradictory lengths.
 
 use nalgebra::Matrix6;
 
@@ -10,8 +10,8 @@ use crate::scalar::LANES;
 impl Problem<'_> {
     /// Σ ρ ∂²q/∂x² (lower triangle): added to the normal matrix, it turns Gauss–Newton into Newton.
     ///
-    /// ∂²q/∂x² is minus the symmetric part of ∂\[u; b × u\]/∂x. Lengths that do not fit the robot leave residuals large enough for this to
-    /// decide how fast, and whether, the descent arrives.
+    /// ∂²q/∂x² is minus the symmetric part of ∂\[u; b × u\]/∂x. For lengths that do not fit the robot the residuals are
+    /// so large that this term decides the speed, and the success, of the descent.
     #[inline(never)] // seldom needed: the kernel stays small without it
     pub(super) fn curvature<const N: usize>(&self, pose: &Pose) -> [[f64; N]; N] {
         let model = self.model;

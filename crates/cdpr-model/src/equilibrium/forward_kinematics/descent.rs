@@ -8,7 +8,7 @@ use crate::scalar::{Kernel, LANES, Lanes, Real, Select, constants, cross, dispat
 pub(super) use crate::solve::Stop;
 use crate::solve::{self, Control, Rules, Step, StepRule, Trial, descend};
 
-/// A model with lengths to meet.
+/// A model with given lengths.
 pub(super) struct Problem<'a> {
     pub(super) model: &'a Model,
     pub(super) settings: &'a Settings,
@@ -18,7 +18,7 @@ pub(super) struct Problem<'a> {
     pub(super) platform_radius: f64,
 }
 
-/// Residuals of the cables at one pose (m), packed like the model's groups: where the descent stands, and at its trial.
+/// Residuals of the cables (m), packed like the model's groups, at the accepted pose and at the trial.
 #[derive(Clone, Debug)]
 pub(super) struct Residuals {
     pub(super) accepted: Vec<[f64; LANES]>,
@@ -26,7 +26,7 @@ pub(super) struct Residuals {
 }
 
 impl Residuals {
-    /// One number per cable, where the descent stands.
+    /// Writes one accepted residual per cable.
     pub(super) fn unpack(&self, residuals: &mut [f64]) {
         for (chunk, lanes) in residuals.chunks_mut(LANES).zip(&self.accepted) {
             chunk.copy_from_slice(&lanes[..chunk.len()]);
@@ -34,7 +34,7 @@ impl Residuals {
     }
 }
 
-/// Steps that shrink less than this fraction make the descent use second derivatives.
+/// Ratio of successive steps above which the descent uses second derivatives.
 pub(super) const SLOW_CONTRACTION: f64 = 0.1;
 
 /// End of one descent.
@@ -43,7 +43,7 @@ pub(super) struct PoseEnd {
     pub(super) rms: f64,
     pub(super) iterations: u32,
     pub(super) stop: Stop,
-    /// Smallest pivot of the scaled normal equations: near 0 where lengths do not determine the pose.
+    /// Smallest pivot of the scaled normal equations: near 0 if lengths do not determine the pose.
     pub(super) pivot_ratio: f64,
 }
 
@@ -96,7 +96,7 @@ impl<const N: usize> Kernel for PoseDescent<'_, N> {
         let rules = Rules { tolerance, max_iterations, least_gain: 0.0, rule: StepRule::Damping };
         let end = descend(&mut descent, &rules);
         let stop = match end.stop() {
-            // some direction moves no cable at all
+            // a singular system is the end: some direction changes no length
             Stop::Singular => Stop::Stationary,
             stop => stop,
         };
@@ -111,7 +111,7 @@ impl<const N: usize> Kernel for PoseDescent<'_, N> {
     }
 }
 
-/// Least squares of the lengths, as the loop of all searches sees them.
+/// Least squares of the lengths, as a problem of the common descent loop.
 struct Descent<'a, L, const N: usize> {
     lanes: L,
     problem: &'a Problem<'a>,
@@ -120,7 +120,7 @@ struct Descent<'a, L, const N: usize> {
     trial: Pose,
     normal: Normal<N>,
     next: Normal<N>,
-    /// Set where steps shrink slowly, so that second derivatives are worth their price.
+    /// True while steps shrink slowly, so that second derivatives are used.
     slow: bool,
     /// Smallest pivot of the last plain step.
     pivot_ratio: f64,
@@ -129,7 +129,7 @@ struct Descent<'a, L, const N: usize> {
 impl<L: Lanes, const N: usize> solve::Problem for Descent<'_, L, N> {
     type Number = f64;
 
-    /// A damped Gauss–Newton step, with the curvature of the residuals where steps are slow.
+    /// A damped Gauss–Newton step, with the curvature of the residuals if steps shrink slowly.
     #[inline]
     fn step(&mut self, control: &Control<f64>) -> Step<f64> {
         let Self { problem, normal, .. } = &*self;
@@ -174,25 +174,25 @@ impl<L: Lanes, const N: usize> solve::Problem for Descent<'_, L, N> {
     }
 }
 
-/// Share of a sum of squared residuals that is left to rounding (m²).
+/// Sum of squared residuals that counts as rounding (m²).
 #[inline(always)]
 pub(super) fn rounding_of<T: Real>(mean_length: T) -> T {
     mean_length.constant(1e-29) * mean_length * mean_length
 }
 
-/// Whether a cost is finite and no higher than the one before, but for rounding: equal costs near the optimum must not look like a failure.
+/// True if a cost is finite and no higher than the one before, except for rounding: equal costs near the optimum are no
+/// failure.
 #[inline(always)]
 pub(super) fn is_no_higher<T: Select>(cost: T, before: T, rounding: T) -> T::Mask {
     let most = before * cost.constant(1.0 + 1e-12) + rounding;
     cost.without(cost.is_less(cost.constant(f64::INFINITY)), most.is_less(cost))
 }
 
-/// Sum of squared residuals at a pose, one pass over the cables, eight at a time; with the normal equations unless the
-/// descent ends here anyway.
+/// Sum of squared residuals at a pose, eight cables at a time, with the normal equations unless the descent ends here.
 struct AtPose<'a, const N: usize> {
     problem: &'a Problem<'a>,
     pose: &'a Pose,
-    /// Filled.
+    /// Output: residuals (m).
     residuals: &'a mut [[f64; LANES]],
     normal: Option<&'a mut Normal<N>>,
 }
@@ -244,7 +244,7 @@ fn in_basis<L: Lanes, const N: usize>(model: &Model, lanes: L, u: [L; 3], moment
     rows
 }
 
-/// Room for the products of N rows and a residual with each other, the spatial case being the largest.
+/// Number of products of N rows and a residual with each other, for the spatial case as the largest.
 const PRODUCTS: usize = 28;
 
 impl<const N: usize> Normal<N> {

@@ -1,12 +1,12 @@
 //! Kinematic forward problem: the pose whose cable lengths fit given ones best (eq. 2.10–2.15).
 //!
 //! min over x of ½ ‖q(x) − q_θ‖², by a damped Gauss–Newton iteration on the manifold of poses. With more cables than
-//! degrees of freedom (m > n) there is no exact solution in general and the least-squares pose is the answer; with
-//! m = n only a vanishing residual is; with m < n lengths do not determine the pose.
+//! degrees of freedom (m > n) there is no exact solution in general and the least-squares pose is the answer; with m =
+//! n only a pose with zero residual is; with m < n lengths do not determine the pose.
 //!
-//! The pose that the descent from the guess leads to is the answer: lengths carry errors, so a residual alone is no reason to
-//! leave it for a pose elsewhere that happens to fit better. `Solver::alternative` tells of such a pose. Only where the
-//! descent from the guess ends without an answer, the search starts again from other poses before it gives up.
+//! The answer is the pose to which the descent from the guess leads: lengths have errors, so that a residual alone is
+//! no reason to prefer a pose elsewhere that happens to fit better. `Solver::alternative` returns such a pose. Only if
+//! the descent from the guess ends without an answer, the search starts again from other poses.
 
 mod alternative;
 pub mod batch;
@@ -40,7 +40,7 @@ pub enum InputError {
         /// Number of lengths.
         found: usize,
     },
-    /// A length that no cable has.
+    /// A length that is not finite or not positive.
     #[error("cable {cable}: a length must be a finite number above 0 m, got {length}")]
     Length {
         /// Number of the cable, from 1.
@@ -59,7 +59,7 @@ pub enum InputError {
     /// A guess with NaN or infinity in it.
     #[error("the guess of the pose contains a number that is not finite")]
     Guess,
-    /// A tolerance that cannot be met or means nothing.
+    /// A tolerance that is not above 0.
     #[error("the setting `{name}` is {value}; it must be a number above 0")]
     Setting {
         /// Field of [`Settings`].
@@ -85,7 +85,7 @@ impl Settings {
 /// Finds the pose for controlled lengths q_θ (m, one per cable) from a guess.
 ///
 /// Lengths are those of the model, without the recorded scale and offset ([`Model::controlled_length`] removes them).
-/// The motion pattern holds: what the pattern cannot move keeps the guess's value.
+/// Coordinates outside the motion pattern keep the guess's value.
 ///
 /// Many poses of one model are faster with one [`Solver`].
 pub fn solve(model: &Model, lengths: &[f64], guess: &Pose, settings: &Settings) -> Result<Solution, InputError> {
@@ -110,7 +110,7 @@ pub(super) struct Scratch {
     /// Given lengths, packed like the model's groups.
     targets: Vec<[f64; LANES]>,
     residuals: Residuals,
-    /// Lengths of one item of a batch.
+    /// Lengths of one problem of a batch (m).
     lengths: Vec<f64>,
     pub(super) solution: Solution,
 }
@@ -126,7 +126,7 @@ impl Scratch {
         }
     }
 
-    /// True where it has room for the cables of a model.
+    /// True if the memory fits the cables of a model.
     pub(super) fn fits(&self, model: &Model) -> bool {
         self.lengths.len() == model.cable_count()
     }
@@ -138,19 +138,19 @@ impl<'a> Solver<'a> {
         Self::with(model, settings, Scratch::new(model))
     }
 
-    /// [`Solver::new`] in memory that a solver has left, which fits the model.
+    /// [`Solver::new`] with the memory of an earlier solver, which fits the model.
     pub(super) fn with(model: &'a Model, settings: &Settings, scratch: Scratch) -> Result<Self, InputError> {
         settings.validate()?;
         let platform_radius = model.platform_radius();
         Ok(Self { model, settings: settings.clone(), platform_radius, mean_length: f64::NAN, scratch })
     }
 
-    /// The memory, with the last solution in it.
+    /// Returns the memory, with the last solution in it.
     pub(super) fn into_scratch(self) -> Scratch {
         self.scratch
     }
 
-    /// Finds one pose as [`solve`] does; allocates nothing unless there is a reason to tell.
+    /// Finds one pose as [`solve`] does; allocates nothing except for a reason in words.
     pub fn solve(&mut self, lengths: &[f64], guess: &Pose) -> Result<&Solution, InputError> {
         check_input(self.model, lengths, guess)?;
         let Scratch { targets, residuals, solution, .. } = &mut self.scratch;
@@ -176,7 +176,7 @@ impl<'a> Solver<'a> {
     }
 }
 
-/// Descends from the guess, and from other starts where that leads to no answer.
+/// Descends from the guess, and from other starts if that gives no answer.
 fn search(problem: &Problem<'_>, guess: &Pose, residuals: &mut Residuals, solution: &mut Solution) {
     let mut best = problem.descend(guess, residuals);
     residuals.unpack(&mut solution.residuals);
@@ -213,7 +213,7 @@ pub(super) fn check_input(model: &Model, lengths: &[f64], guess: &Pose) -> Resul
 }
 
 fn underdetermined(model: &Model, lengths: &[f64], guess: &Pose) -> Solution {
-    // modelled minus given; NaN where a cable has no path
+    // modelled minus given; NaN for a cable without a path
     let residual =
         |(cable, length): (usize, &f64)| model.path(cable, guess).map_or(f64::NAN, |(c, _)| c.length - length);
     let residuals: Vec<f64> = lengths.iter().enumerate().map(residual).collect();

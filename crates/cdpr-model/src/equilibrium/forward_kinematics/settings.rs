@@ -1,20 +1,22 @@
 //! Settings of forward kinematics.
 
-/// When forward kinematics stops, and what it accepts.
+/// Settings of forward kinematics.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
-    /// Stop once the pose is this near to the solution, judged by the last steps (m; angles times the platform radius).
+    /// The search stops once the pose is this near to the solution, judged by the last steps (m; angles times the
+    /// platform radius).
     pub pose_tolerance: f64,
-    /// Residual that counts as an exact solution for m = n: rms of the lengths (m), relative to their mean above 1 m.
+    /// Residual up to which a solution for m = n counts as exact: rms of the lengths (m), relative to their mean above
+    /// 1 m.
     pub length_tolerance: f64,
     /// Steps allowed for each start.
     pub max_iterations: u32,
-    /// Other starts that may be tried when the descent from the guess ends without an answer; 0 searches only from the guess.
+    /// Further starts allowed if the descent from the guess ends without an answer; 0 searches only from the guess.
     pub max_restarts: u32,
-    /// For m > n: an rms residual, relative to the mean length, that errors of measurement explain. A larger one is reason to
-    /// look for an alternative; among other starts than the guess the first with a smaller one ends the search.
+    /// For m > n: an rms residual, relative to the mean length, up to which errors of measurement explain it. A larger
+    /// one is reason to look for an alternative; among further starts the first with a smaller one ends the search.
     pub suspicious_residual: f64,
-    /// For m > n: a larger rms residual, relative to the mean length, means that the lengths do not belong to the robot.
+    /// For m > n: an rms residual, relative to the mean length, above which the lengths do not belong to the robot.
     pub plausible_residual: f64,
 }
 

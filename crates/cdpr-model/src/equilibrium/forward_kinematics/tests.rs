@@ -1,4 +1,4 @@
-//! Promises of the descent on every machine.
+//! Properties of the descent on every machine.
 
 use nalgebra::Vector3;
 
@@ -14,7 +14,7 @@ fn bits(end: &PoseEnd, residuals: &Residuals) -> Vec<u64> {
     numbers.map(|x| x.to_bits()).chain([u64::from(end.iterations)]).collect()
 }
 
-/// The narrow dispatch depends on the machine; results may not.
+/// The narrow dispatch depends on the machine; results must not.
 #[test]
 fn the_descent_gives_the_same_bits_on_every_unit() {
     let robot = Robot::builtin("cablerobot-simulator-helicopter").unwrap();

@@ -4,20 +4,20 @@ use super::Status;
 use super::descent::{PoseEnd, Problem, Stop};
 use crate::geometry::Pose;
 
-/// Residual relative to the mean length from which on a converged answer is remarked upon.
+/// Residual relative to the mean length above which a converged answer has a remark.
 const REMARKABLE_RESIDUAL: f64 = 0.01;
 
-/// Smallest pivot of the scaled normal equations with which lengths determine a pose.
+/// Smallest pivot of the scaled normal equations at which lengths determine a pose.
 const REGULAR: f64 = 1e-12;
 
 impl Problem<'_> {
-    /// True where the lengths are met so well that no other start can do better.
+    /// True if the residual is so small that no other start can give a better one.
     pub(super) fn is_good(&self, end: &PoseEnd) -> bool {
         end.stop == Stop::Stationary && end.rms <= self.good_residual()
     }
 
-    /// True for what belongs to its start, whatever other starts lead to: a pose that is good, or one that the lengths determine
-    /// as well as their errors allow.
+    /// True for an answer that further starts need not replace: a good pose, or one that the lengths determine as well
+    /// as their errors allow.
     pub(super) fn is_answer(&self, end: &PoseEnd) -> bool {
         let fits = !self.is_square() && end.rms <= self.settings.plausible_residual * self.mean_length;
         self.is_good(end) || (end.stop == Stop::Stationary && end.pivot_ratio >= REGULAR && fits)
@@ -31,7 +31,7 @@ impl Problem<'_> {
         self.settings.length_tolerance * self.mean_length.max(1.0)
     }
 
-    /// Measured lengths leave millimetres per metre; a wrong local minimum leaves more.
+    /// Measured lengths give residuals of millimetres per metre; a wrong local minimum gives more.
     fn good_residual(&self) -> f64 {
         if self.is_square() { self.exact_residual() } else { self.settings.suspicious_residual * self.mean_length }
     }
@@ -78,8 +78,8 @@ impl Problem<'_> {
         }
     }
 
-    /// With m = n there may be other exact solutions; a pose that belongs to another start than the guess, and for m > n a
-    /// least-squares pose of lengths that contradict each other by more than a percent, deserve a word.
+    /// Remark on a converged answer: with m = n there may be other exact solutions; the pose may belong to another
+    /// start than the guess; for m > n the lengths may contradict each other by more than a percent.
     fn remark(&self, rms: f64, restarts: u32) -> Option<String> {
         if self.is_square() {
             let text = "exact: the pose has these lengths; with as many cables as degrees of freedom other poses may have them too";

@@ -30,7 +30,7 @@ impl Balanced {
         Self { structure_matrix: DMatrix::zeros(n, m), solver: Solver::new(m, n), found }
     }
 
-    /// By the products of rows in registers; false where orthogonal factors or singular values must look.
+    /// Solves with the products of rows in registers; false if orthogonal factors or singular values are needed.
     pub(super) fn in_registers(&mut self, model: &Model, pose: &Pose, wrench: [f64; 6], limits: &Limits) -> bool {
         let (n, m) = (model.dof(), model.cable_count());
         if !(n..=LANES).contains(&m) || limits.cable_count() != m {
@@ -52,7 +52,7 @@ impl Balanced {
         true
     }
 
-    /// By orthogonal factors, or singular values.
+    /// Solves with orthogonal factors, or singular values.
     pub(super) fn by_factors(&mut self, wrench: &[f64], limits: &Limits) -> Result<(), InputError> {
         let answer = self.solver.solve(&self.structure_matrix, wrench, limits, None)?;
         let found = &mut self.found;

@@ -1,4 +1,4 @@
-//! Structure matrix and tensions of one pose in the memory of a state: asked again, they claim none.
+//! Structure matrix and tensions of one pose in the memory of a state, which is claimed only once.
 
 use nalgebra::DMatrix;
 
@@ -24,7 +24,7 @@ impl State {
 }
 
 impl Model {
-    /// [`Model::structure_matrix`] in the memory of a state, which stays where it is.
+    /// [`Model::structure_matrix`], written to the memory of a state; the robot does not move.
     pub fn structure_matrix_in<'s>(
         &self,
         pose: &Pose,
@@ -35,10 +35,13 @@ impl Model {
         Ok(matrix)
     }
 
-    /// Tensions nearest to the middle of the limits that balance the load at a pose (eq. 3.41), see [`closed_form::solve`](crate::tension::closed_form::solve), in the memory
-    /// of a state, which stays where it is. Both agree to rounding times the condition of the structure matrix.
+    /// Tensions nearest to the middle of the limits that balance the load at a pose (eq. 3.41), written to the memory
+    /// of a state; the robot does not move. They agree with those of
+    /// [`closed_form::solve`](crate::tension::closed_form::solve) to rounding times the condition of the structure
+    /// matrix.
     ///
-    /// The directions are those of straight cables; of sagging ones they follow the tensions, see [`crate::equilibrium::distribution`].
+    /// The directions are those of straight cables; those of sagging cables follow their tensions, see
+    /// [`crate::equilibrium::distribution`].
     ///
     /// ```
     /// use cdpr::equilibrium::State;
@@ -83,8 +86,8 @@ mod tests {
     use crate::robot::{Robot, builtin};
     use crate::tension::{InputError, closed_form};
 
-    /// In the same state from pose to pose, for robots of all sizes: those of the general solver, which also answers where rows depend on
-    /// each other.
+    /// In the same state from pose to pose, for robots of all sizes, compared with the general solver, which also
+    /// solves dependent rows.
     #[test]
     fn tensions_of_a_single_pose_are_those_of_the_solver_of_matrices() {
         let load = Load::constant(Wrench::new(10.0, -20.0, -500.0, 5.0, 20.0, -3.0));

@@ -1,4 +1,4 @@
-//! Complaints about a measurement file: mistake, place, and how to mend it.
+//! Errors in a measurement file: message, position, and advice.
 
 use super::content::Columns;
 use super::layout::Decimals;
@@ -15,14 +15,14 @@ impl CsvFile<'_> {
     }
 
     pub(super) fn header_error(&self, code: &'static str, message: impl Into<String>) -> ReadError {
-        // the line as a whole: carets under all of it would say no more
+        // the line as a whole: carets under all of it would add nothing
         self.error(code, message).at(TextPlace::on_line(self.layout.header, self.layout.header_line, 1, 1))
     }
 
     /// An error at a field: the column counts characters of the line, as an editor does.
     pub(super) fn at(&self, row: &Row<'_>, index: usize, code: &'static str, message: impl Into<String>) -> ReadError {
         let source = self.text.get(row.start..).and_then(|rest| rest.lines().next()).unwrap_or_default();
-        // fields without quotes stand as they are read; with quotes the place is the best guess
+        // fields without quotes stand as they are read; with quotes the column is only a guess
         let width_of = |field: &[u8]| String::from_utf8_lossy(field).chars().count();
         let before: usize = row.record.iter().take(index).map(|field| width_of(field) + 1).sum();
         let width = row.record.get(index).map_or(1, width_of).max(1);
@@ -35,13 +35,13 @@ impl CsvFile<'_> {
         self.error("csv::magnitude", message).at(self.header_place(index))
     }
 
-    /// The name of a column in the header.
+    /// The position of a column's name in the header.
     fn header_place(&self, index: usize) -> TextPlace {
         let (column, width) = self.layout.place_of(index);
         TextPlace::on_line(self.layout.header, self.layout.header_line, column, width)
     }
 
-    /// The error for a column that is not there, at the column that was probably meant to be it.
+    /// The error for a missing column, at the column that probably was meant to be it.
     pub(super) fn missing_column(&self, name: &str) -> ReadError {
         let code = "csv::missing-column";
         let fields = self.layout.fields();
@@ -68,7 +68,7 @@ impl CsvFile<'_> {
         ))
     }
 
-    /// Refuses a file in which no column is, or was meant to be, one of a pose.
+    /// Refuses a file in which no column is, or probably was meant to be, one of a pose.
     pub(super) fn refuse_without_poses(&self) -> Result<(), ReadError> {
         let fields = self.layout.fields();
         let names: Vec<&str> = fields.iter().map(|field| field.trim().trim_matches('"')).collect();
@@ -87,7 +87,7 @@ impl CsvFile<'_> {
         Err(self.header_error("csv::no-poses", message).with_help(help))
     }
 
-    /// The columns that data of this robot must have, for people.
+    /// List of the columns that data of this robot must have, for messages.
     fn needed_columns(&self) -> String {
         let pattern = self.robot.motion_pattern;
         let rotation = match pattern {
@@ -113,7 +113,7 @@ impl CsvFile<'_> {
         self.at(row, found.min(expected).saturating_sub(1), "csv::ragged-row", message).with_help(help)
     }
 
-    /// How to mend a field that is not a number.
+    /// Advice for a field that is not a number.
     pub(super) fn help_for_text(&self, written: &str, row: &Row<'_>, decimals: Decimals) -> String {
         let is_text = |field: &[u8]| !field.iter().any(u8::is_ascii_digit);
         if row.line == self.layout.header_line + 1 && row.record.iter().all(is_text) {

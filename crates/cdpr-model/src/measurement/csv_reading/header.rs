@@ -1,4 +1,4 @@
-//! The header of a measurement file: which column gives which quantity.
+//! The header of a measurement file: the quantities of its columns.
 
 use std::collections::BTreeMap;
 
@@ -53,7 +53,7 @@ impl CsvFile<'_> {
         self.lengths_from_changes(columns, notices)
     }
 
-    /// The columns that the name map names, refused where a name has no meaning or the file no such column.
+    /// The columns in the name map; an error if a name has no quantity or the file has no such column.
     fn mapped(&self, header: &ByteRecord) -> Result<Mapped<'_>, ReadError> {
         let code = "csv::columns";
         let names: Vec<String> = header.iter().map(|name| String::from_utf8_lossy(name).trim().to_owned()).collect();
@@ -83,7 +83,7 @@ impl CsvFile<'_> {
         Ok(mapped)
     }
 
-    /// Changes of lengths in place of lengths where there are none: the same up to an offset of each cable.
+    /// Columns of length changes used as lengths if there are none: both are equal up to an offset of each cable.
     fn lengths_from_changes(&self, mut columns: Columns, notices: &mut Vec<String>) -> Result<Columns, ReadError> {
         let of_change = |(quantity, column): (&Quantity, &(usize, f64))| match quantity {
             Quantity::LengthChange(cable) => Some((*cable, *column)),
@@ -106,7 +106,7 @@ impl CsvFile<'_> {
         Ok(columns)
     }
 
-    /// Refuses columns without those that the content needs.
+    /// Refuses a file that lacks columns needed by the content.
     pub(super) fn check_columns(&self, columns: &Columns) -> Result<(), ReadError> {
         if matches!(self.content, Content::Log | Content::Track) {
             self.require(columns, Quantity::Time, "t_s")?;

@@ -1,4 +1,4 @@
-//! Files of sensors inside the machine: poses are known in part or not at all.
+//! Files of sensors inside the machine, with partly known or unknown poses.
 
 use super::content::Content;
 use super::rows::{CsvFile, Format, Row};
@@ -10,7 +10,8 @@ use crate::reading::ReadError;
 use crate::robot::Robot;
 
 impl MeasurementFile<'_> {
-    /// True for a file in which no column is, or was meant to be, one of a position; there may be those of an inclinometer.
+    /// True for a file in which no column is, or probably was meant to be, a position; it may have those of an
+    /// inclinometer.
     pub fn lacks_poses(&self, robot: &Robot) -> Result<bool, ReadError> {
         self.with_content(Content::Internal, robot, |file| {
             let is_pose = |name: &str| {
@@ -20,7 +21,8 @@ impl MeasurementFile<'_> {
         })
     }
 
-    /// Lengths or their changes, with the components of poses that rows have, and remarks: empty cells of a pose are unknown components of it.
+    /// Lengths or their changes, with the known components of poses, and remarks: empty cells of a pose are unknown
+    /// components.
     pub fn internal_samples(&self, robot: &Robot) -> Result<(InternalSamples, Vec<String>), ReadError> {
         self.with_content(Content::Internal, robot, |file| {
             let mut table = file.table()?;
@@ -42,7 +44,7 @@ impl MeasurementFile<'_> {
 }
 
 impl CsvFile<'_> {
-    /// Names of the columns as measurements have them.
+    /// Names of the columns after the name map.
     fn meant_names(&self) -> impl Iterator<Item = &str> {
         let names = self.layout.fields().into_iter().map(|name| name.trim().trim_matches('"'));
         names.map(|name| {
@@ -51,7 +53,7 @@ impl CsvFile<'_> {
         })
     }
 
-    /// True where lengths are given by their changes alone, or by motor angles of winches whose start lengths nobody knows.
+    /// True if lengths are given only by their changes, or by motor angles of winches with unknown start lengths.
     fn has_changes_only(&self) -> bool {
         let has = |wanted: fn(Quantity) -> bool| {
             self.meant_names().any(|name| meaning(name).is_ok_and(|column| column.is_some_and(|c| wanted(c.quantity))))
@@ -62,7 +64,7 @@ impl CsvFile<'_> {
                 || has(|quantity| matches!(quantity, Quantity::MotorAngle(_))) && !counts_from_nothing())
     }
 
-    /// The components of a pose that a row has; the others are those of the identity.
+    /// Reads the known components of a row's pose; the others are those of the identity.
     pub(super) fn known_components(
         &self,
         format: &Format,

@@ -1,11 +1,11 @@
-//! How a table is written: where its column names stand, and what separates fields and decimals.
+//! Layout of a table: the line of its column names, and the separators of fields and decimals.
 
 use csv::{ByteRecord, Reader, ReaderBuilder};
 
 use super::content::Columns;
 use crate::measurement::columns::Quantity;
 
-/// Separators that are tried; of equal counts the first is meant.
+/// Separators that are tried; of equal counts the first is used.
 const SEPARATORS: [u8; 3] = [b',', b';', b'\t'];
 
 /// Line of the column names, and the separator of fields.
@@ -28,7 +28,8 @@ pub(super) struct Decimals {
 }
 
 impl<'a> Layout<'a> {
-    /// Column names stand in the first line that is neither blank nor a comment; the separator is the one that parts them most.
+    /// Column names are in the first line that is neither blank nor a comment; the separator is the most frequent one
+    /// there.
     pub(super) fn of(text: &'a str) -> Self {
         let is_header = |line: &&str| !line.trim().is_empty() && !line.starts_with('#');
         let (index, header) = text.lines().enumerate().find(|(_, line)| is_header(line)).unwrap_or((0, ""));
@@ -38,13 +39,13 @@ impl<'a> Layout<'a> {
         Self { header, header_line: index + 1, header_start, separator }
     }
 
-    /// A reader of the table; lines that begin with `#` are no rows of it.
+    /// A reader of the table; lines that begin with `#` are skipped.
     pub(super) fn reader<'t>(&self, text: &'t str) -> Reader<&'t [u8]> {
         let mut builder = ReaderBuilder::new();
         builder.flexible(true).comment(Some(b'#')).delimiter(self.separator).from_reader(text.as_bytes())
     }
 
-    /// Names of the columns as they stand in the line.
+    /// Names of the columns as written in the line.
     pub(super) fn fields(&self) -> Vec<&'a str> {
         self.header.split(char::from(self.separator)).collect()
     }
@@ -56,7 +57,7 @@ impl<'a> Layout<'a> {
         (column, fields.get(index).map_or(1, |field| field.chars().count()).max(1))
     }
 
-    /// The decimal mark of the first number that has one; a point where fields are separated by commas.
+    /// The decimal mark of the first number that has one; always a point if fields are separated by commas.
     pub(super) fn decimals(&self, text: &str, columns: &Columns) -> Decimals {
         let point = Decimals { mark: b'.', line: self.header_line };
         if self.separator == b',' {
@@ -68,7 +69,7 @@ impl<'a> Layout<'a> {
         let mut record = ByteRecord::new();
         while reader.read_byte_record(&mut record).unwrap_or(false) {
             let fields = numbers.iter().filter_map(|&index| record.get(index));
-            // of 1.234,5 the last mark is that of the decimals
+            // in 1.234,5 the last mark is that of the decimals
             let mark = |field: &[u8]| field.iter().rev().copied().find(|byte| matches!(byte, b',' | b'.'));
             if let Some(mark) = fields.filter(|field| field.iter().any(u8::is_ascii_digit)).find_map(mark) {
                 return Decimals { mark, line: line_of(text, &record).0 };
@@ -77,7 +78,7 @@ impl<'a> Layout<'a> {
         point
     }
 
-    /// How the file was understood where that is not the plain way, for people.
+    /// Remark on the file's separators, decimals and encoding; `None` for the standard layout.
     pub(super) fn remark(&self, decimals: Decimals, encoding: Option<&str>) -> Option<String> {
         let separated = match self.separator {
             b';' => Some("; separated"),
@@ -92,7 +93,8 @@ impl<'a> Layout<'a> {
     }
 }
 
-/// The line of a row, from 1, and the byte at which it starts: blank lines and comments before it were read with it.
+/// The line of a row, from 1, and the byte at which it starts, after blank lines and comments that the reader has
+/// skipped.
 pub(super) fn line_of(text: &str, record: &ByteRecord) -> (usize, usize) {
     let Some(position) = record.position() else { return (0, 0) };
     let (mut line, mut start) = (position.line() as usize, position.byte() as usize);

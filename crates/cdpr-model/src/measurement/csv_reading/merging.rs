@@ -1,4 +1,4 @@
-//! Two logs on one clock: what the winches recorded, and the poses of a tracker.
+//! Two logs on one clock: the recordings of the winches, and the poses of a tracker.
 
 use super::content::Content;
 use super::rows::CsvFile;
@@ -11,8 +11,8 @@ use crate::robot::Robot;
 impl MeasurementFile<'_> {
     /// The samples of a log of winches with the poses of a tracker's log, interpolated at the times of the former.
     ///
-    /// Both have a column of time on the same clock. Rows in a gap of the tracker's log that is longer than this (s; by default three
-    /// of its typical intervals) have no pose and are left out.
+    /// Both have a column of time on the same clock. Rows in a gap of the tracker's log longer than `longest_gap` (s;
+    /// by default three of its typical intervals) have no pose and are left out.
     pub fn merged_with(
         &self,
         track: &MeasurementFile<'_>,
@@ -70,7 +70,7 @@ impl CsvFile<'_> {
         self.layout.fields().iter().map(|name| name.trim().trim_matches('"').to_owned()).collect()
     }
 
-    /// Refuses a name map of a column that neither file has.
+    /// Refuses an entry of the name map for a column that neither file has.
     fn check_mapped_in_one_of(&self, others: &[String], other_name: &str) -> Result<(), ReadError> {
         let own = self.column_names();
         let is_known = |column: &String| own.contains(column) || others.contains(column);

@@ -1,4 +1,4 @@
-//! Positions of planar robots: their columns carry the names of the plane's axes.
+//! Positions of planar robots, in columns named after the plane's axes.
 
 use super::content::Columns;
 use super::rows::{CsvFile, Row};
@@ -6,13 +6,13 @@ use crate::measurement::columns::Quantity;
 use crate::measurement::position_columns;
 use crate::reading::ReadError;
 
-/// First and second component, as files of any plane named them before the axes counted.
+/// First and second component in older files, which named both `x` and `y` in any plane.
 const FORMER: [usize; 2] = [0, 1];
 
 impl CsvFile<'_> {
-    /// The columns with positions by the components of the robot's plane; those of spatial robots as they are.
+    /// The columns with positions by the components of the robot's plane; unchanged for spatial robots.
     ///
-    /// Files that name both components `x` and `y` whatever the plane are read, too.
+    /// Files that name both components `x` and `y` in another plane are read too.
     pub(super) fn in_plane(
         &self,
         header: &Row<'_>,

@@ -9,7 +9,7 @@ use super::skipping::Skipped;
 use crate::reading::ReadError;
 use crate::robot::Robot;
 
-/// A file as it is read.
+/// A file with the options of reading.
 pub(super) struct CsvFile<'a> {
     pub(super) text: &'a str,
     pub(super) file_name: &'a str,
@@ -17,11 +17,11 @@ pub(super) struct CsvFile<'a> {
     pub(super) options: &'a ReadingOptions,
     pub(super) content: Content,
     pub(super) layout: Layout<'a>,
-    /// Encoding of the bytes where it is not UTF-8.
+    /// Encoding of the bytes if it is not UTF-8.
     pub(super) encoding: Option<&'static str>,
 }
 
-/// One data row with its place in the file.
+/// One data row with its position in the file.
 pub(super) struct Row<'a> {
     pub(super) record: &'a ByteRecord,
     pub(super) header: &'a ByteRecord,
@@ -30,17 +30,17 @@ pub(super) struct Row<'a> {
     pub(super) start: usize,
 }
 
-/// Columns of a file and the mark of its decimals: how numbers are taken from a row.
+/// Columns of a file and its decimal mark, with which numbers are read from a row.
 pub(super) struct Format {
     pub(super) columns: Columns,
     pub(super) decimals: Decimals,
 }
 
-/// Receiver of one row.
+/// Function that takes one row.
 pub(super) type TakeRow<'a> = &'a mut dyn FnMut(&Format, &Row<'_>) -> Result<(), ReadError>;
 
 impl CsvFile<'_> {
-    /// Reads the header, checks it, hands over every row, and returns the columns and the rows left out.
+    /// Reads the header, checks it, passes every row to `take`, and returns the columns and the rows left out.
     pub(super) fn rows(&self, notices: &mut Vec<String>, take: TakeRow<'_>) -> Result<(Format, Skipped), ReadError> {
         if self.text.trim().is_empty() {
             return Err(self.error("csv::empty", "the file is empty").with_help("the first line names the columns"));

@@ -1,13 +1,13 @@
-//! Rows that are left out because a number is missing or is none.
+//! Rows that are left out because a number is missing or invalid.
 
 use std::collections::BTreeMap;
 
 use crate::reading::ReadError;
 
-/// Rows left out, by what is wrong with them.
+/// Rows left out, by error code.
 #[derive(Debug, Default)]
 pub(super) struct Skipped {
-    /// For every code how many rows, and the error of the first.
+    /// Number of rows for every code, and the error of the first.
     rows: BTreeMap<&'static str, (usize, ReadError)>,
 }
 
@@ -17,22 +17,22 @@ impl Skipped {
         self.add_all(1, error);
     }
 
-    /// Counts rows by the error of the first of them.
+    /// Counts rows with the error of the first of them.
     pub(super) fn add_all(&mut self, count: usize, error: ReadError) {
         self.rows.entry(error.code).or_insert((0, error)).0 += count;
     }
 
-    /// How many rows there are.
+    /// Number of rows left out.
     pub(super) fn count(&self) -> usize {
         self.rows.values().map(|(count, _)| count).sum()
     }
 
-    /// The first mistake, in the order of lines.
+    /// The first error, in the order of lines.
     pub(super) fn first(&self) -> Option<&ReadError> {
         self.rows.values().map(|(_, error)| error).min_by_key(|error| error.line())
     }
 
-    /// The sentence for people; `None` if nothing is left out.
+    /// A sentence for the user; `None` if no row is left out.
     pub(super) fn words(&self, file_name: &str, of: usize) -> Option<String> {
         let reason = |(count, error): &(usize, ReadError)| {
             format!("{count} such as line {} ({})", error.line().unwrap_or_default(), error.message)

@@ -1,4 +1,4 @@
-//! Measurement files as loggers and trackers write them.
+//! Measurement files as written by loggers and trackers.
 
 use std::fmt::Write;
 
@@ -51,7 +51,7 @@ fn columns_are_found_by_the_names_that_the_map_gives_them() {
         [("x_m", "X_world"), ("cable_length_m_1", "l1"), ("cable_length_m_2", "l2"), ("cable_length_m_3", "l3")];
     let all = [&pairs[..], &[("cable_length_m_4", "l4")]].concat();
     assert_eq!(read_with(&foreign, &mapped(&all)).unwrap().samples, plain);
-    // the column that the map names wins over the one of this name
+    // the column in the map takes precedence over the one with this name
     let both = whole(&robot(), 5).replace("t_s", "x_mm").replace("x_m,", "X,");
     let reading = read_with(&both, &mapped(&[("x_m", "X")])).unwrap();
     assert_eq!((reading.samples.poses, reading.samples.time), (plain.poses, None));
@@ -68,7 +68,7 @@ fn columns_are_found_by_the_names_that_the_map_gives_them() {
     }
 }
 
-/// Line numbers are those of the file, whatever stands between.
+/// Line numbers are those of the file, also after comments and blank lines.
 #[test]
 fn rows_with_gaps_are_mistakes_or_are_left_out_and_counted() {
     let text = whole(&robot(), 40);
@@ -130,7 +130,8 @@ fn lengths_that_count_from_an_unknown_pose_are_lengths_with_unknown_offsets() {
     assert!(reading.notices[0].contains("length-offset"), "{:?}", reading.notices);
 }
 
-/// A log of the winches at 100 Hz and one of a tracker at 120 Hz with a gap of half a second: rows in the gap have no pose.
+/// A log of the winches at 100 Hz and one of a tracker at 120 Hz with a gap of half a second: rows in the gap have no
+/// pose.
 #[test]
 fn two_logs_are_merged_by_time_and_not_across_gaps() {
     let robot = robot();
@@ -179,7 +180,7 @@ fn two_logs_are_merged_by_time_and_not_across_gaps() {
     assert!(error.code == "csv::merge" && error.message.contains("from 90 s to"), "{error}");
 }
 
-/// Five poses held for two seconds with noise, and the ways between them.
+/// Five poses held for two seconds with noise, and the motions between them.
 fn held(robot: &Robot, is_still: bool) -> Samples {
     use rand::{RngExt, SeedableRng};
     let mut noise = rand_chacha::ChaCha8Rng::seed_from_u64(3);
@@ -208,7 +209,7 @@ fn poses_held_for_seconds_are_averaged_with_their_scatter() {
     for (k, pose) in found.samples.poses.iter().enumerate() {
         let found = robot.motion_pattern.pose_to_components(robot.plane, pose);
         let exact = [0.5 + 0.4 * k as f64, 4.0 + 0.1 * k as f64];
-        // 200 rows of 0.1 mm, rows at the edges of the ways are left out
+        // 200 rows of 0.1 mm; rows at the edges of the motions are left out
         found
             .iter()
             .zip(exact)

@@ -1,4 +1,4 @@
-//! Numbers of a row: its pose, its angles, and whether they are beyond the robot.
+//! Numbers of a row: its pose, its angles, and a check against the robot's size.
 
 use std::num::ParseFloatError;
 
@@ -19,13 +19,13 @@ impl CsvFile<'_> {
         self.pose_with(format, row, components)
     }
 
-    /// The orientation of a row whose position may be unknown.
+    /// The orientation of a row with a possibly unknown position.
     pub(super) fn orientation(&self, format: &Format, row: &Row<'_>) -> Result<UnitQuaternion<f64>, ReadError> {
         let at_origin = vec![0.0; self.robot.motion_pattern.translations()];
         Ok(self.pose_with(format, row, at_origin)?.rotation)
     }
 
-    /// The pose of a row with the components of its position.
+    /// The pose of a row with these components of its position.
     fn pose_with(&self, format: &Format, row: &Row<'_>, mut components: Vec<f64>) -> Result<Pose, ReadError> {
         let pattern = self.robot.motion_pattern;
         match pattern {
@@ -58,7 +58,7 @@ impl CsvFile<'_> {
         Ok(Pose { rotation, ..pose })
     }
 
-    /// The angles of a row as the file gives them (rad), which a pose knows only within a turn.
+    /// The angles of a row as in the file (rad), which a pose keeps only up to full turns; `None` if it has none.
     pub(super) fn angles(&self, format: &Format, row: &Row<'_>) -> Result<Option<[f64; 3]>, ReadError> {
         match self.robot.motion_pattern {
             MotionPattern::Planar => Ok(Some([self.number(format, row, Quantity::Angle)?, 0.0, 0.0])),
@@ -70,7 +70,7 @@ impl CsvFile<'_> {
         }
     }
 
-    /// The first length or coordinate of a row that is beyond all measure of the robot (m).
+    /// The first length or coordinate of a row beyond the largest possible one (m).
     pub(super) fn too_far(&self, format: &Format, row: &Row<'_>, farthest: f64) -> Option<(Quantity, f64)> {
         let lengths = (0..self.robot.cable_count()).map(Quantity::Length);
         let positions = (0..self.robot.motion_pattern.translations()).map(Quantity::Position);
@@ -79,7 +79,7 @@ impl CsvFile<'_> {
         values.find(|(_, value)| value.abs() > farthest)
     }
 
-    /// The error for such a value.
+    /// The error for that value.
     pub(super) fn too_far_error(&self, format: &Format, row: &Row<'_>, quantity: Quantity, value: f64) -> ReadError {
         let index = format.columns.get(&quantity).map_or(0, |column| column.0);
         let column = String::from_utf8_lossy(&row.header[index]).trim().to_owned();
@@ -107,12 +107,12 @@ impl CsvFile<'_> {
         }
     }
 
-    /// A number with the decimal mark of the file; the other mark is none of it.
+    /// Parses a number with the decimal mark of the file; the other mark is an error.
     fn parsed(&self, format: &Format, written: &str) -> Result<f64, ParseFloatError> {
         if format.decimals.mark == b'.' {
             return written.parse();
         }
-        // both marks in one number, or the other one than before, is not guessed at
+        // both marks in one number, or another mark than before, are not guessed at
         let swapped: String = written
             .chars()
             .map(|c| {

@@ -1,4 +1,4 @@
-//! Every held pose of a log is found, and nothing of the ways between them.
+//! Every held pose of a log is found, without rows of the motion between them.
 
 use nalgebra::Vector3;
 use rand::{RngExt, SeedableRng};
@@ -6,15 +6,15 @@ use rand::{RngExt, SeedableRng};
 use super::*;
 use crate::geometry::Pose;
 
-/// A log of a platform that stands at places for two seconds each, with smooth ways of three seconds between them.
+/// A log of a platform that stands at places for two seconds each, with smooth motions of three seconds between them.
 struct Course {
     places: usize,
-    /// Deviation of positions, resolution of lengths (m).
+    /// Standard deviation of positions, resolution of lengths (m).
     noise: f64,
     resolution: f64,
-    /// Of the tracker (m/s).
+    /// Drift of the tracker (m/s).
     drift: f64,
-    /// Of a swing that dies out in 2.5 s, after each way (m).
+    /// Amplitude of a swing that dies out in 2.5 s, after each motion (m).
     swing: f64,
     rate: f64,
     seed: u64,
@@ -35,7 +35,7 @@ fn place(k: f64) -> Vector3<f64> {
 }
 
 impl Course {
-    /// Position that is meant, and the time since the platform came to rest there (s).
+    /// Commanded position, and the time since the platform came to rest there (s).
     fn at(&self, time: f64) -> (Vector3<f64>, Option<f64>) {
         let (lap, within) = ((time / (HOLD + WAY)).floor(), time % (HOLD + WAY));
         let fraction = ((within - HOLD) / WAY).clamp(0.0, 1.0);
@@ -65,7 +65,8 @@ impl Course {
         samples
     }
 
-    /// Asserts that every place is found, without a row of motion beyond a row's noise of 1 mm, and without motion in its mean.
+    /// Asserts that every place is found, without a row of motion beyond a row's noise of 1 mm, and without motion in
+    /// its mean.
     fn check(&self) {
         let samples = self.samples();
         let times = samples.time.clone().unwrap();
@@ -80,7 +81,7 @@ impl Course {
             }
             let mean = rows.clone().map(|row| self.at(times[row]).0 - here).sum::<Vector3<f64>>() / rows.len() as f64;
             assert!(mean.norm() < 5e-5, "seed {} place {k}: {mean}", self.seed);
-            // of a swing that dies out the quiet part
+            // of a swing that dies out only the quiet part
             let least = if self.swing > 0.0 { 0.42 } else { 0.8 } * HOLD;
             assert!(times[rows.end - 1] - times[rows.start] > least, "seed {} place {k}: {rows:?}", self.seed);
         }

@@ -1,4 +1,4 @@
-//! Other ways to read poses.
+//! Other readings of poses.
 
 use std::f64::consts::PI;
 
@@ -7,16 +7,16 @@ use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 use crate::geometry::{MotionPattern, Pose};
 use crate::robot::Robot;
 
-/// A way to read a pose, by its numbers and angles; `None` where it cannot be read so.
+/// Function that reads a pose from its numbers and angles; `None` if this reading does not exist.
 type Read = Box<dyn Fn(&Pose, &[f64; 3]) -> Option<Pose>>;
 
-/// A way to read poses, and the words for it.
+/// A reading of poses, with its description.
 pub(super) struct Reading {
     pub(super) words: String,
     pub(super) read: Read,
 }
 
-/// All ways that a robot's poses can be read in, but for the one that is right.
+/// All wrong readings of a robot's poses.
 pub(super) fn readings(robot: &Robot) -> Vec<Reading> {
     let mut all = match robot.motion_pattern {
         MotionPattern::Spatial => of_space(),
@@ -121,7 +121,7 @@ fn axes(robot: &Robot) -> Vec<Reading> {
                 read: Box::new(move |pose, _| moved(pose, both(pose))),
             });
         }
-        // a turn of the world about the normal of the plane, or in space
+        // a rotation of the world about the normal of the plane, or in space
         if turns && matrix.determinant() > 0.0 {
             all.push(Reading {
                 words: format!("{words}: the world's axes, also under the orientations"),
@@ -132,7 +132,7 @@ fn axes(robot: &Robot) -> Vec<Reading> {
     all
 }
 
-/// Shifts beside a matrix: none, and for axes that are mirrored alone that of a mirror in the middle of the frame anchors' box.
+/// Shifts for a matrix: none, and for mirrored axes also that of a mirror in the middle of the frame anchors' box.
 fn shifts(matrix: &Matrix3<f64>, middle: &Vector3<f64>) -> impl Iterator<Item = Vector3<f64>> + use<> {
     let about_middle = (Matrix3::identity() - matrix) * middle;
     let is_mirror = matrix.diagonal().iter().all(|entry| *entry != 0.0);
@@ -163,7 +163,7 @@ fn signed_permutations(own: &[usize]) -> Vec<Matrix3<f64>> {
     all
 }
 
-/// Axes of the world by those of the file, e.g. "x, y, z of the robot look like −y, x, z of the data".
+/// The robot's axes in terms of the file's, e.g. "x, y, z of the robot look like −y, x, z of the data".
 fn words_of(matrix: &Matrix3<f64>, shift: &Vector3<f64>, own: &[usize]) -> String {
     let name = |axis: usize| ["x", "y", "z"][axis];
     let of_data = own.iter().map(|&row| {

@@ -1,19 +1,19 @@
-//! Poses and lengths that are compared, and their misfit.
+//! The compared poses and lengths, and their misfit.
 
 use crate::geometry::Pose;
 use crate::measurement::Samples;
 use crate::robot::Robot;
 
-/// Most samples that are looked at.
+/// Largest number of samples compared.
 const LOOKED_AT: usize = 200;
-/// Scales that a winch may have.
+/// Range of a winch's scale.
 const SCALES: (f64, f64) = (0.8, 1.25);
 
-/// The samples that are looked at.
+/// The samples that are compared.
 pub(super) struct Data<'a> {
     pub(super) robot: &'a Robot,
     pub(super) poses: Vec<Pose>,
-    /// Angles rx, ry, rz or the one of the plane (rad), as the file gives them or as the poses have them.
+    /// Angles rx, ry, rz, or the angle in the plane (rad): those of the file, otherwise those of the poses.
     pub(super) angles: Vec<[f64; 3]>,
     /// Recorded lengths, cable by cable (m).
     pub(super) recorded: Vec<Vec<f64>>,
@@ -36,21 +36,21 @@ impl<'a> Data<'a> {
         }
     }
 
-    /// Root of the mean square of what the lengths at these poses leave of the recorded ones (m).
+    /// Root mean square of the residuals of the recorded lengths at these poses (m).
     pub(super) fn misfit(&self, poses: &[Pose]) -> f64 {
         let m = self.recorded.len();
         let squares: f64 = (0..m).map(|cable| left_of(&self.lengths(cable, poses), &self.recorded[cable])).sum();
         (squares / m.max(1) as f64).sqrt()
     }
 
-    /// Lengths of one cable from point to point (m).
+    /// Lengths of one cable between its anchors (m).
     pub(super) fn lengths(&self, cable: usize, poses: &[Pose]) -> Vec<f64> {
         let cable = &self.robot.cables[cable];
         poses.iter().map(|pose| (cable.frame_anchor - pose.transform(&cable.platform_anchor)).norm()).collect()
     }
 }
 
-/// Mean square of what offset and scale of a winch leave of recorded lengths (m²).
+/// Mean square residual of recorded lengths after fitting offset and scale of a winch (m²).
 pub(super) fn left_of(modelled: &[f64], recorded: &[f64]) -> f64 {
     let count = modelled.len() as f64;
     let mean = |values: &[f64]| values.iter().sum::<f64>() / count;

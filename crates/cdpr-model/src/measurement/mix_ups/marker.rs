@@ -1,4 +1,4 @@
-//! Poses of a marker that was taken for the platform.
+//! Poses of a marker that were taken for those of the platform.
 
 use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
 
@@ -6,10 +6,10 @@ use super::data::Data;
 use crate::geometry::{Pose, Twist, product};
 use crate::robot::Robot;
 
-/// Steps of the search, and the step that ends it (m, rad).
+/// Steps allowed, and the length of a step that ends the search (m, rad).
 const STEPS: usize = 30;
 const STEP_END: f64 = 1e-9;
-/// Offsets below this share of the anchors' diagonal, and turns below this angle (rad), are not worth a word.
+/// Offset as a fraction of the anchors' diagonal, and angle (rad), below which neither is reported.
 const WORTH_SHARE: f64 = 1e-3;
 const WORTH_ANGLE: f64 = 0.01;
 
@@ -17,8 +17,8 @@ const WORTH_ANGLE: f64 = 0.01;
 pub(super) struct Marker(Pose);
 
 impl Marker {
-    /// The pose of the platform in the marker's frame that fits best, by Gauss–Newton steps from the marker itself; lengths count up to an offset of
-    /// each cable.
+    /// The pose of the platform in the marker's frame that fits best, by Gauss–Newton steps from the identity; each
+    /// cable's lengths may have an offset.
     pub(super) fn of(data: &Data<'_>) -> Option<Self> {
         let robot = data.robot;
         let basis = robot.motion_pattern.twist_basis(robot.plane);
@@ -39,7 +39,7 @@ impl Marker {
         Some(marker)
     }
 
-    /// The change of the marker's offset along the robot's degrees of freedom that the residuals ask for.
+    /// The Gauss–Newton step of the marker's pose along the robot's degrees of freedom.
     fn step(&self, data: &Data<'_>, basis: &[Twist]) -> Option<Twist> {
         let (rows, count) = (data.poses.len(), basis.len());
         let m = data.recorded.len();
@@ -63,17 +63,17 @@ impl Marker {
             (0..count).for_each(|k| centre(jacobian.column_mut(k).as_mut_slice(), cable * rows, rows));
         }
         let normal = jacobian.tr_mul(&jacobian);
-        // directions that the data do not tell stay where they are
+        // directions that the data do not determine keep their values
         let solved = normal.pseudo_inverse(1e-9 * (1.0 + rows as f64)).ok()? * jacobian.tr_mul(&residuals);
         Some(basis.iter().zip(solved.iter()).map(|(unit, size)| unit * *size).sum())
     }
 
-    /// Poses of the platform by those of the marker.
+    /// Poses of the platform from those of the marker.
     pub(super) fn platform_poses(&self, poses: &[Pose]) -> Vec<Pose> {
         poses.iter().map(|pose| product(pose, &self.0)).collect()
     }
 
-    /// Offset and turn for people.
+    /// Offset and rotation in words.
     pub(super) fn words(&self, robot: &Robot) -> String {
         let Pose { position, rotation } = self.0;
         let mut parts = Vec::new();
@@ -90,7 +90,7 @@ impl Marker {
     }
 }
 
-/// Takes the mean away from a stretch of numbers.
+/// Subtracts the mean from a range of numbers.
 fn centre(numbers: &mut [f64], from: usize, count: usize) {
     let stretch = &mut numbers[from..from + count];
     let mean = stretch.iter().sum::<f64>() / count.max(1) as f64;

@@ -1,4 +1,4 @@
-//! Every mix-up on robots without symmetry is named, and clean data name none.
+//! Every mix-up on robots without symmetry is found, and none in clean data.
 
 use std::f64::consts::PI;
 
@@ -8,8 +8,8 @@ use rand::{RngExt, SeedableRng};
 use super::*;
 use crate::geometry::Pose;
 
-/// Samples whose platform turns by up to 30° about each axis, with lengths of points, offsets and noise of 0.3 mm; angles as a file
-/// would give them.
+/// Samples with rotations of the platform of up to 30° about each axis, with lengths of points, offsets and noise of
+/// 0.3 mm; angles as in a file.
 fn recorded(robot: &Robot) -> (Samples, Vec<[f64; 3]>) {
     let mut chance = rand_chacha::ChaCha8Rng::seed_from_u64(11);
     let (home, reach) = (robot.home_or_middle(), 0.12 * robot.anchor_diagonal());
@@ -17,7 +17,7 @@ fn recorded(robot: &Robot) -> (Samples, Vec<[f64; 3]>) {
     for _ in 0..60 {
         let mut uniform = |size: f64| size * (2.0 * chance.random::<f64>() - 1.0);
         let angles = [uniform(0.5), uniform(0.5), uniform(0.5)];
-        // the middle of the workspace is nowhere near the origin, as that of a tracker's robot
+        // the middle of the workspace is far from the origin, as with a tracker's coordinates
         let shift = Vector3::new(uniform(reach), uniform(reach), uniform(reach));
         let pose = Pose::from_xyz_angles(home.position + shift, angles);
         let lengths = lengths(robot, &pose);
@@ -32,7 +32,7 @@ fn lengths(robot: &Robot, pose: &Pose) -> Vec<f64> {
     robot.cables.iter().map(|cable| (cable.frame_anchor - pose.transform(&cable.platform_anchor)).norm()).collect()
 }
 
-/// A robot whose anchors have no symmetry: those of a built-in one, each moved by up to a tenth of the size.
+/// A robot with anchors without symmetry: those of a built-in one, each moved by up to a tenth of the size.
 fn unsymmetrical(name: &str, seed: u64) -> Robot {
     let mut robot = Robot::builtin(name).unwrap();
     let mut chance = rand_chacha::ChaCha8Rng::seed_from_u64(seed);
@@ -112,7 +112,7 @@ fn orientations_written_otherwise_are_named() {
             ([2, 0, 1], "R = Rz Rx Ry"),
             ([2, 1, 0], "R = Rz Ry Rx"),
         ] {
-            // the angles of that order, read as if they were Rx Ry Rz
+            // the angles of that order, read as those of Rx Ry Rz
             let written: Vec<[f64; 3]> = samples.poses.iter().map(|pose| angles_in(order, pose.rotation)).collect();
             let mut read = samples.clone();
             read.poses
@@ -225,7 +225,7 @@ fn poses_of_a_marker_are_named_with_its_place() {
     }
 }
 
-/// The planar robot of the examples cannot turn; one that can, with the angle in degrees or the other way round.
+/// The planar robot of the examples cannot turn; one that can, with the angle in degrees or with the opposite sign.
 #[test]
 fn an_angle_in_the_plane_is_tried_in_degrees_and_the_other_way_round() {
     let mut robot = Robot::builtin("cucablerobot-planar").unwrap();

@@ -1,8 +1,8 @@
 //! Lengths and structure matrices at many poses at once, a pose per lane.
 //!
-//! Every number has the bits that the single pose gives, on every vector unit: [`Model::cable_lengths`] and
-//! [`Model::structure_matrix`] are the same formulas for one number instead of eight. Where a cable has no path its numbers
-//! are NaN; [`Model::path`] says why.
+//! Every number has the same bits as at a single pose, on every vector unit: [`Model::cable_lengths`] and
+//! [`Model::structure_matrix`] use the same formulas for one number instead of eight. If a cable has no path its
+//! numbers are NaN; [`Model::path`] gives the reason.
 
 #[cfg(test)]
 mod tests;
@@ -15,7 +15,7 @@ use crate::scalar::{Kernel, LANES, LaneTable, Lanes, Line, Unit, dispatch_on, ov
 impl Model {
     /// Geometric cable lengths q (m) of many poses, a row per cable: [`Model::cable_lengths`] for each.
     ///
-    /// Claims no memory once `lengths` has had as many poses before.
+    /// Claims no memory if `lengths` has held as many poses before.
     ///
     /// ```
     /// use cdpr::geometry::PoseBatch;
@@ -39,10 +39,10 @@ impl Model {
         });
     }
 
-    /// Structure matrices Aᵀ of many poses: [`Model::structure_matrix`] for each, its n × m entries column by column, so that
-    /// row `cable · n + k` of the table holds component k of that cable.
+    /// Structure matrices Aᵀ of many poses: [`Model::structure_matrix`] for each, its n × m entries column by column,
+    /// so that row `cable · n + k` of the table has component k of that cable.
     ///
-    /// Claims no memory once `matrices` has had as many poses before.
+    /// Claims no memory if `matrices` has held as many poses before.
     pub fn batch_structure_matrices(&self, poses: &PoseBatch, matrices: &mut LaneTable) {
         matrices.reshape(self.dof() * self.cable_count(), poses.len());
         over_parts(matrices.lines_mut(), self.dof() * self.cable_count(), &mut (), |_, first, lines| {
@@ -55,13 +55,13 @@ impl Model {
 struct Lengths<'a> {
     model: &'a Model,
     poses: &'a PoseBatch,
-    /// Group of poses that the lines begin with.
+    /// Index of the group of poses at which the lines begin.
     first: usize,
     lines: &'a mut [Line],
 }
 
 impl Lengths<'_> {
-    /// On an available unit; compiled here, once for library and tests.
+    /// Runs on an available unit; compiled only here, for library and tests.
     #[inline(never)]
     fn run_on(self, unit: Unit) {
         dispatch_on(unit, self).unwrap_or_default();
@@ -92,7 +92,7 @@ impl Kernel for Lengths<'_> {
     }
 }
 
-/// The lengths of one group as the single pose gives them.
+/// Writes the lengths of one group, each pose on its own.
 #[cold]
 #[inline(never)]
 fn settle_lengths(model: &Model, poses: &PoseBatch, group: usize, lengths: &mut [Line]) {
@@ -108,13 +108,13 @@ fn settle_lengths(model: &Model, poses: &PoseBatch, group: usize, lengths: &mut 
 struct StructureMatrices<'a> {
     model: &'a Model,
     poses: &'a PoseBatch,
-    /// Group of poses that the lines begin with.
+    /// Index of the group of poses at which the lines begin.
     first: usize,
     lines: &'a mut [Line],
 }
 
 impl StructureMatrices<'_> {
-    /// On an available unit; compiled here, once for library and tests.
+    /// Runs on an available unit; compiled only here, for library and tests.
     #[inline(never)]
     fn run_on(self, unit: Unit) {
         dispatch_on(unit, self).unwrap_or_default();
@@ -149,7 +149,7 @@ impl Kernel for StructureMatrices<'_> {
     }
 }
 
-/// The structure matrices of one group as the single pose gives them.
+/// Writes the structure matrices of one group, each pose on its own.
 #[cold]
 #[inline(never)]
 fn settle_matrices(model: &Model, poses: &PoseBatch, group: usize, matrices: &mut [Line]) {

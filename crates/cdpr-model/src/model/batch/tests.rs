@@ -9,7 +9,7 @@ use crate::geometry::{Pose, Twist};
 use crate::model::{Composition, place_pulleys};
 use crate::robot::{Robot, builtin};
 
-/// Every built-in robot with point outlets, and with pulleys where it has some or can be given some.
+/// Every built-in robot with point outlets, and with pulleys if it has some or can be given some.
 fn models() -> Vec<Model> {
     let mut models = Vec::new();
     for name in builtin::names() {
@@ -94,7 +94,7 @@ fn an_empty_batch_has_no_answers() {
     assert!(table.is_empty());
 }
 
-/// Enough poses for several parts: what a thread computes may not depend on which part it was given.
+/// Enough poses for several parts: results must not depend on the part that a thread was given.
 #[test]
 fn large_batches_have_the_bits_of_small_ones() {
     let model = Model::new(Robot::builtin("cogiro").unwrap(), Composition::STANDARD).unwrap();

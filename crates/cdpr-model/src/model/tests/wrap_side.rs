@@ -1,8 +1,8 @@
-//! Pulleys in the plane, which do not swivel: the side on which the cable wraps decides.
+//! Pulleys of planar robots that do not swivel: the side on which the cable wraps decides.
 
 use super::*;
 
-/// A planar robot in the xz plane with one cable over a pulley on the given side of a cable that comes up.
+/// A planar robot in the xz plane with one cable over a pulley on the given side of the rising cable.
 pub(super) fn planar_robot(side: WrapSide) -> Robot {
     let cable = Cable {
         frame_anchor: Vector3::new(-2.0, 0.0, 3.0),
@@ -15,7 +15,7 @@ pub(super) fn planar_robot(side: WrapSide) -> Robot {
     Robot { motion_pattern: MotionPattern::Planar, plane, ..robot_of(vec![cable]) }
 }
 
-/// Platform poses on both sides of the cable that comes up, above and below the entry, but for the open side.
+/// Platform poses on both sides of the rising cable, above and below the entry, except on the open side.
 pub(super) fn planar_poses() -> Vec<Pose> {
     let turned = |x: f64, z: f64| Pose::from_xyz_angles(Vector3::new(x, 0.0, z), [0.0, 0.3, 0.0]);
     vec![turned(0.0, 0.0), turned(1.0, 4.0), turned(-2.2, 1.0), turned(-4.0, 1.5), turned(-2.25, 5.0)]
@@ -31,7 +31,7 @@ fn derivatives_over_a_pulley_that_does_not_swivel_agree_with_dual_numbers() {
     }
 }
 
-/// On the side where a swivelling pulley would turn to, both are the same; on the other side the cable wraps further.
+/// On the side to which a swivelling pulley would turn, both are the same; on the other side the cable wraps further.
 #[test]
 fn a_pulley_that_does_not_swivel_differs_beyond_its_entry_only() {
     let robot = planar_robot(WrapSide::Right);
@@ -72,7 +72,7 @@ fn the_open_side_of_a_pulley_and_spatial_wrap_sides_are_refused() {
     assert!(refused.contains("pulley_wrap_side") && refused.contains("cable 2"), "{refused}");
 }
 
-/// With r_p → 0 the pulley is a point, wherever the anchor may be.
+/// With r_p → 0 the pulley is a point, for any position of the anchor.
 #[test]
 fn radius_zero_is_a_point_also_without_a_swivel() {
     let mut robot = planar_robot(WrapSide::Right);

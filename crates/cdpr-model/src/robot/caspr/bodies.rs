@@ -10,7 +10,7 @@ use crate::robot::{Platform, TravelBox};
 
 /// The platform as the bodies file describes it.
 pub(super) struct Body {
-    /// Its name.
+    /// Name of the link.
     pub(super) link: String,
     pub(super) joint: Joint,
     pub(super) home: Pose,
@@ -22,7 +22,7 @@ pub(super) struct Body {
     pub(super) origin: Vector3<f64>,
 }
 
-/// The one link of a system.
+/// Reads the only link of a system.
 pub(super) fn read(root: &Element<'_, '_>, findings: &mut Findings) -> Result<Body, ReadError> {
     findings.add_unknown_inside(root, &["links"]);
     let links = root.required("links")?;
@@ -44,7 +44,7 @@ pub(super) fn read(root: &Element<'_, '_>, findings: &mut Findings) -> Result<Bo
     body(&link, findings)
 }
 
-/// The name of an element as a part of a sentence.
+/// The name of an element in quotes, as part of a sentence; empty without a name.
 pub(super) fn quoted_name(element: &Element<'_, '_>) -> String {
     element.attribute("name").map(|name| format!(" `{name}`")).unwrap_or_default()
 }
@@ -114,7 +114,7 @@ fn platform(
     ))
 }
 
-/// Inertia about the centre of mass (kg·m²); of a planar robot the part about the normal.
+/// Inertia about the centre of mass (kg·m²); for a planar robot the part about the normal.
 fn inertia(
     element: &Element<'_, '_>,
     joint: &Joint,
@@ -128,7 +128,7 @@ fn inertia(
     let stated = Matrix3::new(xx, xy, xz, xy, yy, yz, xz, yz, zz);
     let matrix = match element.attribute("ref") {
         Some("com") => stated,
-        // Huygens and Steiner: about the joint it is larger
+        // parallel axis theorem (Huygens and Steiner): inertia about the joint is larger
         Some("joint") => stated - (Matrix3::identity() * center.norm_squared() - center * center.transpose()) * mass,
         other => {
             let message = format!("inertia is about `com` or `joint`, not about `{}`", other.unwrap_or_default());

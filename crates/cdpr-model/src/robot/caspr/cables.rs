@@ -1,4 +1,4 @@
-//! The cables file: named sets of cables, one of which is taken.
+//! The cables file: named sets of cables, of which one is imported.
 
 use std::collections::BTreeMap;
 
@@ -9,19 +9,20 @@ use super::findings::{Findings, Loss};
 use crate::reading::{Element, ReadError, help_for_unknown};
 use crate::robot::{Cable, CableStiffness, Pulley};
 
-/// CASPR's cable that the library knows wholly, and the linear spring (k = K/length, our `axial_stiffness`).
+/// Cables that are imported completely: CASPR's ideal cable, and the linear spring (k = K/length, our
+/// `axial_stiffness`).
 const TAKEN: &[&str] = &["cable_ideal", "cable_linear_spring"];
 
-/// Cables with devices of a stiffness that the file format has no law for; the device is left out.
+/// Cables with devices of variable stiffness, for which the file format has no law; the device is left out.
 const TAKEN_WITHOUT_DEVICE: &[&str] = &["cable_vsd_torsion_spring", "cable_vsd_flexure_linear", "cable_vsd_polynomial"];
 
-/// Cables that pull without a winch; the library has none.
+/// Cables that pull without a winch, which the library does not have.
 const PASSIVE: &[&str] = &["cable_passive_linear_spring"];
 
-/// How far from a plane an anchor may be by rounding of its digits (m).
+/// Largest distance of an anchor from a plane by rounding of its digits (m).
 const PLANE_TOLERANCE: f64 = 1e-9;
 
-/// The set that was taken.
+/// The imported set.
 pub(super) struct CableSet<'t, 'a> {
     pub(super) name: String,
     /// Names of all sets.
@@ -30,7 +31,7 @@ pub(super) struct CableSet<'t, 'a> {
     pub(super) element: Element<'t, 'a>,
 }
 
-/// The set of this name, or the default one.
+/// Reads the set of this name, or the default one.
 pub(super) fn read<'t, 'a>(
     root: &Element<'t, 'a>,
     wanted: Option<&str>,
@@ -55,7 +56,7 @@ pub(super) fn read<'t, 'a>(
     Ok(CableSet { name: names[index].to_owned(), all, cables, element })
 }
 
-/// Which set is meant.
+/// Index of the set of this name, or of the default one.
 fn chosen(root: &Element<'_, '_>, names: &[&str], wanted: Option<&str>) -> Result<usize, ReadError> {
     let place = |name: &str| names.iter().position(|known| *known == name);
     match (wanted, root.attribute("default_cable_set")) {
@@ -75,7 +76,7 @@ fn chosen(root: &Element<'_, '_>, names: &[&str], wanted: Option<&str>) -> Resul
     }
 }
 
-/// Cables are told apart by name in a robot file; CASPR does not ask for that.
+/// Renames cables with a repeated name: names are unique in a robot file, but not in CASPR.
 fn rename_doubles(set: &Element<'_, '_>, cables: &mut [Cable], findings: &mut Findings) {
     let mut seen: BTreeMap<String, usize> = BTreeMap::new();
     let taken: Vec<String> = cables.iter().map(|cable| cable.name.clone()).collect();
@@ -90,7 +91,7 @@ fn rename_doubles(set: &Element<'_, '_>, cables: &mut [Cable], findings: &mut Fi
     }
 }
 
-/// One cable; `None`, and a finding, for a passive spring.
+/// Reads one cable; `None`, and a finding, for a passive spring.
 fn read_cable(element: &Element<'_, '_>, body: &Body, findings: &mut Findings) -> Result<Option<Cable>, ReadError> {
     let kind = element.name();
     if PASSIVE.contains(&kind) {
@@ -110,7 +111,7 @@ fn read_cable(element: &Element<'_, '_>, body: &Body, findings: &mut Findings) -
     Ok(Some(cable))
 }
 
-/// Limits of tension, and stiffness.
+/// Reads limits of tension, and stiffness.
 fn properties(element: &Element<'_, '_>, cable: &mut Cable, findings: &mut Findings) -> Result<(), ReadError> {
     let properties = element.required("properties")?;
     let limit = |name: &str| -> Result<Option<f64>, ReadError> {
@@ -156,7 +157,7 @@ fn properties(element: &Element<'_, '_>, cable: &mut Cable, findings: &mut Findi
     Ok(())
 }
 
-/// Both ends: a point or a rotating pulley at the base, a point at the platform.
+/// Reads both ends: a point or a rotating pulley at the base, a point at the platform.
 fn attachments(element: &Element<'_, '_>, body: &Body, cable: &mut Cable) -> Result<(), ReadError> {
     let list: Vec<Element<'_, '_>> = element.required("attachments")?.elements().collect();
     let [first, second] = list[..] else {
@@ -190,7 +191,7 @@ fn attachments(element: &Element<'_, '_>, body: &Body, cable: &mut Cable) -> Res
     flatten(&base, body, cable)
 }
 
-/// The link of an attachment; none of a pulley, which is on the base.
+/// The link of an attachment; `None` for a pulley, which is on the base.
 fn link_of(attachment: &Element<'_, '_>) -> Result<Option<usize>, ReadError> {
     match attachment.name() {
         "attachment" => Ok(Some(attachment.required("link")?.index()?)),
@@ -212,7 +213,7 @@ fn pulley(element: &Element<'_, '_>, body: &Body, cable: &mut Cable) -> Result<(
         fine => fine,
     };
     let entry = element.required("cable_entry_vector")?;
-    // CASPR takes an entry vector of any length
+    // CASPR accepts an entry vector of any length
     let axis = Vector3::from(entry.vector()?).try_normalize(0.0).ok_or_else(|| {
         entry.content_error("robot::swivel-axis", "cable_entry_vector is zero and so without direction")
     })?;
@@ -224,7 +225,7 @@ fn pulley(element: &Element<'_, '_>, body: &Body, cable: &mut Cable) -> Result<(
     Ok(())
 }
 
-/// Of a planar robot, anchors are kept by their components in the plane; a cable that leaves the plane is refused.
+/// Reduces the anchors of a planar robot to their components in the plane; a cable that leaves the plane is an error.
 fn flatten(base: &Element<'_, '_>, body: &Body, cable: &mut Cable) -> Result<(), ReadError> {
     let joint = &body.joint;
     let across = cable.frame_anchor - body.origin - cable.platform_anchor;

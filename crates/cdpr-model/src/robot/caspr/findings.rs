@@ -1,36 +1,36 @@
-//! Elements of a model that the robot does not hold.
+//! Elements of a model that the robot lacks.
 
 use serde::Serialize;
 
 use crate::reading::Element;
 
-/// Share of an element that the robot lacks: all that acts, a part, or nothing that acts.
+/// Part of an element that the robot lacks: all that acts on it, a part of that, or only parts without effect.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 #[non_exhaustive]
 pub enum Loss {
     /// The element acts on the platform in CASPR, and not in the robot.
     LeftOut,
-    /// The element was taken, but without a property that acts.
+    /// The element was imported, but without a property that acts.
     Simplified,
-    /// Nothing that acts was lost.
+    /// Only parts without effect were lost.
     Ignored,
 }
 
-/// An element that the robot does not hold, or not wholly.
+/// An element that the robot lacks wholly or in part.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize)]
 pub struct Finding {
-    /// Share that is lacking.
+    /// Lost part of the element.
     pub loss: Loss,
     /// Name of the XML element.
     pub element: String,
-    /// Its name in the model, where it has one.
+    /// Its name in the model, if it has one.
     pub name: Option<String>,
     /// The file.
     pub file: String,
     /// Line in the file, from 1.
     pub line: usize,
-    /// Part that was not taken, with the reason.
+    /// Lost part, with the reason.
     pub why: String,
 }
 
@@ -44,12 +44,12 @@ impl std::fmt::Display for Finding {
     }
 }
 
-/// Findings as they are collected.
+/// Findings of an import in progress.
 #[derive(Debug, Default)]
 pub(super) struct Findings(pub(super) Vec<Finding>);
 
 impl Findings {
-    /// Notes what is lacking of an element.
+    /// Records the lost part of an element.
     pub(super) fn add(&mut self, loss: Loss, element: &Element<'_, '_>, why: impl Into<String>) {
         self.0.push(Finding {
             loss,
@@ -61,7 +61,7 @@ impl Findings {
         });
     }
 
-    /// Notes the elements inside that nobody knows.
+    /// Records the unknown elements inside an element.
     pub(super) fn add_unknown_inside(&mut self, element: &Element<'_, '_>, known: &[&str]) {
         for inner in element.elements().filter(|inner| !known.contains(&inner.name())) {
             self.add(Loss::Ignored, &inner, format!("unknown in <{}>", element.name()));

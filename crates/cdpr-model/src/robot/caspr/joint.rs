@@ -1,4 +1,4 @@
-//! CASPR's joints between base and platform, and the motion patterns that they are.
+//! CASPR's joints between base and platform, and the motion patterns to which they correspond.
 
 use std::f64::consts::PI;
 
@@ -9,7 +9,7 @@ use crate::geometry::{MotionPattern, Plane, Pose};
 use crate::reading::{Element, ReadError, help_for_unknown, numbers};
 use crate::robot::TravelBox;
 
-/// Joints that leave a platform in cables the motion of a pattern: name, pattern, axes of the plane.
+/// Joints that correspond to a motion pattern: name, pattern, axes of the plane.
 const JOINTS: &[(&str, MotionPattern, &str)] = &[
     ("SPATIAL_EULER_XYZ", MotionPattern::Spatial, "xy"),
     ("SPATIAL_QUATERNION", MotionPattern::Spatial, "xy"),
@@ -21,7 +21,7 @@ const JOINTS: &[(&str, MotionPattern, &str)] = &[
     ("P_XZ", MotionPattern::PlanarPoint, "xz"),
 ];
 
-/// CASPR's other joints: axes, spheres and universal joints hold the platform as no cable robot of ours is held.
+/// CASPR's other joints: with axes, spheres and universal joints that hold the platform as in no motion pattern.
 const OTHER_JOINTS: &[&str] = &[
     "R_X",
     "R_Y",
@@ -44,7 +44,7 @@ const OTHER_JOINTS: &[&str] = &[
 const POSITION_BOX_NOTE: &str =
     "joint range of the CASPR model, a box for plotting and sampling rather than a proven workspace";
 
-/// A joint that is a motion pattern.
+/// A joint that corresponds to a motion pattern.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Joint {
     pub(super) name: &'static str,
@@ -53,7 +53,7 @@ pub(super) struct Joint {
 }
 
 impl Joint {
-    /// The joint of a link, or why it is none of ours.
+    /// The joint of a link; an error for a joint without a motion pattern.
     pub(super) fn read(element: &Element<'_, '_>) -> Result<Self, ReadError> {
         let wanted = element.required_attribute("type")?;
         if let Some((name, pattern, axes)) = JOINTS.iter().find(|(name, ..)| *name == wanted) {
@@ -73,7 +73,7 @@ impl Joint {
             .with_help(help_for_unknown(wanted, &known)))
     }
 
-    /// The part of a vector that a planar robot has.
+    /// The component of a vector in the plane of a planar robot; the vector itself for spatial robots.
     pub(super) fn in_plane(&self, vector: &Vector3<f64>) -> Vector3<f64> {
         match self.pattern.is_planar() {
             true => self.plane.embed(self.plane.components(vector)),
@@ -81,17 +81,17 @@ impl Joint {
         }
     }
 
-    /// The component of a vector that a planar robot does not have (m); zero for spatial robots.
+    /// The component of a vector along the normal of a planar robot (m); zero for spatial robots.
     pub(super) fn out_of_plane(&self, vector: &Vector3<f64>) -> f64 {
         if self.pattern.is_planar() { self.plane.normal().dot(vector) } else { 0.0 }
     }
 
-    /// How many numbers CASPR's coordinates have.
+    /// Number of CASPR's coordinates.
     fn coordinate_count(&self) -> usize {
         if self.name == "SPATIAL_QUATERNION" { 7 } else { self.pattern.dof() }
     }
 
-    /// The coordinates of an attribute, or `None` where it is missing.
+    /// The coordinates of an attribute; `None` if it is missing.
     fn coordinates(&self, element: &Element<'_, '_>, attribute: &str) -> Result<Option<Vec<f64>>, ReadError> {
         let Some(text) = element.attribute(attribute) else { return Ok(None) };
         let wrong = |why: String| element.attribute_error(attribute, "xml::wrong-type", format!("{attribute}: {why}"));
@@ -104,7 +104,7 @@ impl Joint {
         }
     }
 
-    /// Position of coordinates (m).
+    /// Position from coordinates (m).
     fn position(&self, coordinates: &[f64]) -> Vector3<f64> {
         match (self.pattern.is_planar(), coordinates) {
             (true, &[first, second, ..]) => self.plane.embed([first, second]),
@@ -113,10 +113,10 @@ impl Joint {
         }
     }
 
-    /// Orientation of coordinates; `None` when a quaternion has not the norm 1.
+    /// Orientation from coordinates; `None` for a quaternion without norm 1.
     fn rotation(&self, coordinates: &[f64]) -> Option<UnitQuaternion<f64>> {
         match (self.pattern, coordinates) {
-            // PLANAR_XZ turns about +y, from z to x: against the direction from the first axis to the second
+            // PLANAR_XZ turns about +y, from z to x: opposite to the direction from the first axis to the second
             (MotionPattern::Planar, &[_, _, angle]) if self.name == "PLANAR_XZ" => Some(turn(self.plane, -angle)),
             (MotionPattern::Planar, &[_, _, angle]) => Some(turn(self.plane, angle)),
             (MotionPattern::Spatial, &[_, _, _, x, y, z]) => {
@@ -127,7 +127,7 @@ impl Joint {
         }
     }
 
-    /// The initial pose of a joint whose origin is at `origin` (world, m).
+    /// The initial pose of a joint with its origin at `origin` (world, m).
     pub(super) fn home(
         &self,
         element: &Element<'_, '_>,

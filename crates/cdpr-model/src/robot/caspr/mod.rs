@@ -1,8 +1,8 @@
 //! Robots of CASPR (the MATLAB simulator of D. Lau and others): a file of bodies and a file of cables, both XML.
 //!
-//! CASPR's models reach further than a [`Robot`]: chains of links, joints that are driven, cables over many points, springs.
-//! What changes the robot is refused with its place; what can be taken in part, or left out, is listed in
-//! [`Import::findings`] and in the notes of the robot, never dropped in silence.
+//! CASPR's models are more general than a [`Robot`]: chains of links, driven joints, cables over several points,
+//! springs. An element that changes the robot is an error with its position; elements imported in part, or left out,
+//! are listed in [`Import::findings`] and in the notes of the robot.
 //!
 //! ```
 //! use cdpr::robot::caspr::{Files, Options, import};
@@ -42,29 +42,29 @@ use crate::reading::{Element, ReadError, XmlDocument};
 /// CASPR's constant of gravity (m/s²), along −z of the world.
 const GRAVITY: f64 = 9.81;
 
-/// A model's two files, as bytes and as errors name them.
+/// A model's two files: their bytes, and their names for errors.
 #[derive(Clone, Copy, Debug)]
 pub struct Files<'a> {
     /// Content of `…_bodies.xml`.
     pub bodies: &'a [u8],
-    /// Its name.
+    /// Name of the bodies file.
     pub bodies_name: &'a str,
     /// Content of `…_cables.xml`.
     pub cables: &'a [u8],
-    /// Its name.
+    /// Name of the cables file.
     pub cables_name: &'a str,
 }
 
-/// Choices of an import.
+/// Options of an import.
 #[derive(Clone, Copy, Debug, Default)]
 pub struct Options<'a> {
-    /// Which of the cable sets; the file's default when left out.
+    /// Name of the cable set; `None` takes the file's default.
     pub cable_set: Option<&'a str>,
-    /// Name of the robot; made of the bodies file's name when left out.
+    /// Name of the robot; `None` takes it from the bodies file's name.
     pub name: Option<&'a str>,
 }
 
-/// A robot read from CASPR's files, and what of them it does not hold.
+/// A robot read from CASPR's files, with the parts of them that it lacks.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Import {
     /// The robot.
@@ -73,7 +73,7 @@ pub struct Import {
     pub link: String,
     /// CASPR's name of its joint.
     pub joint: String,
-    /// The cable set taken.
+    /// Name of the imported cable set.
     pub cable_set: String,
     /// All cable sets of the file.
     pub cable_sets: Vec<String>,
@@ -123,7 +123,7 @@ pub fn import(files: &Files<'_>, options: &Options<'_>) -> Result<Import, ReadEr
     })
 }
 
-/// The robot as its own file gives it back: what a robot file may not say is refused here too.
+/// The robot read back from its own file, which refuses the values that a robot file may not have.
 fn checked(robot: &Robot, set: &Element<'_, '_>) -> Result<Robot, ReadError> {
     Robot::from_toml(&robot.to_toml(), "robot").map_err(|error| {
         let refused = set.error("caspr::not-a-robot", format!("this makes no robot: {}", error.message));
@@ -134,7 +134,7 @@ fn checked(robot: &Robot, set: &Element<'_, '_>) -> Result<Robot, ReadError> {
     })
 }
 
-/// Notes for the robot file on its origin.
+/// Notes on the origin, for the robot file.
 fn notes(joint: &joint::Joint, set: &cables::CableSet<'_, '_>, findings: &[Finding]) -> Vec<String> {
     let mut notes = vec![format!("CASPR joint {}, cable set {} of [{}].", joint.name, set.name, set.all.join(", "))];
     let acts = |finding: &&Finding| finding.loss != Loss::Ignored;
@@ -150,7 +150,7 @@ fn file_part(path: &str) -> &str {
     path.rsplit(['/', '\\']).next().unwrap_or(path)
 }
 
-/// `path/CoGiRo_bodies.xml` as the name `cogiro`.
+/// The name `cogiro` for `path/CoGiRo_bodies.xml`.
 fn plain_name(path: &str) -> String {
     let file = file_part(path);
     let stem = file.rsplit_once('.').map_or(file, |(stem, _)| stem);

@@ -1,4 +1,4 @@
-//! Small models of our own, one CASPR feature each.
+//! Small models, with one CASPR feature each.
 
 use std::f64::consts::FRAC_PI_2;
 
@@ -100,7 +100,7 @@ fn every_number_arrives_in_its_place() {
     assert_eq!((robot.name.as_str(), robot.title.as_deref()), ("test-plate", Some("Test plate")));
     assert_eq!(robot.motion_pattern, MotionPattern::Spatial);
     assert_eq!(robot.gravity, Some(Vector3::new(0.0, 0.0, -9.81)));
-    // the joint stands 0.5 m above the world's origin
+    // the joint is 0.5 m above the world's origin
     assert_eq!(robot.home.unwrap().position, Vector3::new(1.0, 2.0, 3.5));
     assert_eq!(robot.travel.as_ref().unwrap().max, Vector3::new(4.0, 4.0, 4.5));
     assert_eq!(robot.platform.inertia.unwrap()[(2, 1)], 0.3);

@@ -8,7 +8,7 @@ use serde::{Serialize, Serializer};
 use crate::reading::MAGNITUDE_LIMIT;
 use crate::robot::stretch::registry::StretchNumber;
 
-/// Kind of a parameter; of what a cable has there is one for every cable.
+/// Kind of a parameter; numbers of cables exist once per cable.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum ParameterKind {
@@ -22,10 +22,10 @@ pub enum ParameterKind {
     LengthOffset,
     /// See [`ParameterKind::LengthOffset`]; without unit.
     LengthScale,
-    /// Radius of the winch's drum to the cable's centre line (m); data of motor angles tell it.
+    /// Radius of the winch's drum to the cable's centre line (m); identified from motor angles.
     DrumRadius,
-    /// Controlled length at the drum's start angle (m); data of motor angles tell it. It shifts lengths as the length offset
-    /// does: one of the two is free, never both.
+    /// Controlled length at the drum's start angle (m); identified from motor angles. It shifts lengths as the length
+    /// offset does, so that at most one of the two is free.
     StartLength,
     /// Specific stiffness EA (N).
     AxialStiffness,
@@ -39,7 +39,8 @@ pub enum ParameterKind {
     Mass,
     /// Centre of mass (platform frame, m).
     CenterOfMass,
-    /// Specific compliance 1/EA (1/N): its inverse, the stiffness, runs away where data say little (see the book).
+    /// Specific compliance 1/EA (1/N): its inverse, the stiffness, would diverge for data with little information on it
+    /// (see the book).
     Compliance,
     /// f_recorded = tension_scale · f + tension_offset; without unit.
     TensionScale,
@@ -73,7 +74,7 @@ pub enum ParameterKind {
     StartAngle,
     /// Length of the groove along the drum's axis (m).
     GrooveLength,
-    /// Radius that each further layer of cable adds (m).
+    /// Increase of the radius with each further layer of cable (m).
     LayerHeight,
     /// Motor angle = gear ratio · drum angle; without unit.
     GearRatio,
@@ -81,11 +82,11 @@ pub enum ParameterKind {
     EncoderCounts,
     /// Gravity (world, m/s²).
     Gravity,
-    /// Squared radius that a spool gains with every metre wound on it (m); data of motor angles tell it.
+    /// Increase of a spool's squared radius per metre wound (m); identified from motor angles.
     SpoolBuildUp,
-    /// Length on the drum over length of the cable, as tackle makes it; without unit.
+    /// Length on the drum over length of the cable, with a tackle; without unit.
     MechanicalAdvantage,
-    /// Damping of the cable per rate of its elongation (N·s/m).
+    /// Damping force of the cable per rate of its elongation (N·s/m).
     CableDamping,
     /// Damping time η of the cable: damping over stiffness (s).
     CableDampingTime,
@@ -95,9 +96,9 @@ pub enum ParameterKind {
     RotorInertia,
     /// Dry friction at the drum (N·m).
     CoulombFriction,
-    /// Friction at the drum per speed (N·m·s/rad).
+    /// Viscous friction at the drum (N·m·s/rad).
     ViscousFriction,
-    /// Dry friction of a drum that stands (N·m).
+    /// Static friction of the drum (N·m).
     StaticFriction,
     /// Speed over which a drum's dry friction falls from the static one to Coulomb's (rad/s).
     StribeckSpeed,
@@ -109,19 +110,19 @@ pub enum ParameterKind {
     PlatformDamping,
     /// Damping of its angular velocity D_rot (N·m·s/rad).
     RotationalDamping,
-    /// Turn of the drum's axis from where it was given, about two directions perpendicular to it (rad).
+    /// Turn of the drum's axis from the given direction, about two directions perpendicular to it (rad).
     DrumAxis,
-    /// Turn of the pulley's swivel axis from where it was given, about two directions perpendicular to it, of planar robots about the plane's
-    /// normal (rad).
+    /// Turn of the pulley's swivel axis from the given direction, about two directions perpendicular to it; for planar
+    /// robots about the plane's normal (rad).
     SwivelAxis,
-    /// Number of a law of stretch, by the list of all laws.
+    /// Number of a law of stretch, from the list of all laws.
     Stretch(StretchNumber),
 }
 
-/// Owner of a parameter: the table of the robot file in which it stands.
+/// Owner of a parameter: its table in the robot file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Owner {
-    /// Every `[[cable]]` has its own.
+    /// Each `[[cable]]`.
     Cable,
     /// `[platform]`.
     Platform,
@@ -148,7 +149,7 @@ impl Range {
     /// True for a value that a robot file may state.
     #[cfg(feature = "files")]
     pub(crate) fn contains(self, value: f64) -> bool {
-        // what is not finite is refused by the first comparison
+        // NaN and infinities fail the first comparison
         value.abs() <= MAGNITUDE_LIMIT
             && match self {
                 Self::Real => true,
@@ -159,7 +160,7 @@ impl Range {
     }
 }
 
-/// Everything that is said of a kind once.
+/// Properties of a kind.
 struct Entry {
     name: &'static str,
     owner: Owner,
@@ -168,7 +169,7 @@ struct Entry {
     range: Range,
 }
 
-/// Kinds, and behind them the numbers of all laws of stretch.
+/// Kinds, followed by the numbers of all laws of stretch.
 const fn with_stretch<const N: usize, const M: usize>(kinds: [ParameterKind; N]) -> [ParameterKind; M] {
     let mut all = [ParameterKind::FrameAnchor; M];
     let mut k = 0;
@@ -331,7 +332,8 @@ impl ParameterKind {
         self.entry().name
     }
 
-    /// Key in the robot file; empty for the wrench, whose keys are those of force and moment, and for turns of axes, whose keys are vectors.
+    /// Key in the robot file; empty for the wrench, which has the keys of force and moment, and for turns of axes,
+    /// which are stated as vectors.
     pub(crate) fn key(self) -> &'static str {
         self.entry().key
     }
@@ -359,7 +361,7 @@ impl ParameterKind {
         matches!(self, Self::DrumAxis | Self::SwivelAxis)
     }
 
-    /// Value of a robot that states none: a scale of 1, an offset of 0.
+    /// Value for a robot that states none: a scale of 1, an offset of 0.
     pub(crate) fn neutral(self) -> f64 {
         match self {
             Self::LengthScale | Self::TensionScale | Self::GearRatio | Self::MechanicalAdvantage => 1.0,

@@ -1,6 +1,7 @@
-//! Parameters: every number of a robot by one type, with its value, name, unit and bounds.
+//! Parameters: one type for every number of a robot, with its value, name, unit and bounds.
 //!
-//! Robot files, `--free` lists, sensitivities, tolerances and sweeps mean the same numbers; each of them is a [`Parameter`].
+//! Robot files, `--free` lists, sensitivities, tolerances and sweeps refer to the same numbers; each of them is a
+//! [`Parameter`].
 
 mod kind;
 mod naming;
@@ -15,23 +16,23 @@ pub use kind::ParameterKind;
 pub(crate) use kind::{Owner, Range};
 pub use naming::{Head, axis_name};
 
-/// Largest turn of an axis (rad): what is mounted farther from its drawing is drawn wrong.
+/// Largest turn of an axis (rad): a larger deviation from the drawing means that the drawing is wrong.
 const LARGEST_TURN: f64 = 0.5;
 
 /// One number of a robot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct Parameter {
-    /// Cable it belongs to, from 0; 0 for a number of the platform, which belongs to none.
+    /// Its cable, from 0; 0 for a number of the platform, which belongs to no cable.
     pub cable: usize,
     /// Kind.
     pub kind: ParameterKind,
-    /// Component of a vector along the pattern's axes (turns for moments), of the wrench along its degrees of freedom, or of an axis' turn,
-    /// from 0; 0 for the rest.
+    /// Component, from 0: of a vector along the pattern's axes (rotations for moments), of the wrench along its degrees
+    /// of freedom, or of an axis' turn; 0 for other numbers.
     pub axis: usize,
 }
 
 impl ParameterKind {
-    /// Components that a parameter of this kind has in a robot.
+    /// Number of components of this kind for a robot.
     pub fn components(self, robot: &Robot) -> usize {
         let (dof, translations) = (robot.dof(), robot.motion_pattern.translations());
         match self {
@@ -52,9 +53,9 @@ impl ParameterKind {
 }
 
 impl Parameter {
-    /// Value that the robot states; `None` where it states none.
+    /// Value that the robot states; `None` if it states none.
     ///
-    /// Stiffness and compliance are one number: where the robot states one of them, both have a value.
+    /// Stiffness and compliance are one number: if the robot states one of them, both have a value.
     pub fn get(&self, robot: &Robot) -> Option<f64> {
         use ParameterKind as Kind;
         let external = robot.external_wrench.as_ref();
@@ -65,7 +66,7 @@ impl Parameter {
             Kind::CenterOfMass => robot.platform.center_of_mass.map(|center| component(robot, &center, self.axis)),
             Kind::Gravity => robot.gravity.map(|gravity| component(robot, &gravity, self.axis)),
             Kind::Force | Kind::Moment => external.map(|external| self.of_wrench(robot, &external.wrench)),
-            // a wrench without the weight is not the constant wrench that identification means
+            // identification means the constant wrench with the weight, not one without it
             Kind::Wrench => external
                 .filter(|external| external.includes_gravity)
                 .map(|external| self.of_wrench(robot, &external.wrench)),
@@ -78,7 +79,7 @@ impl Parameter {
         }
     }
 
-    /// Value that the robot states, else the neutral one (scale 1, offset 0).
+    /// Value that the robot states, otherwise the neutral one (scale 1, offset 0).
     pub fn value(&self, robot: &Robot) -> f64 {
         match (self.kind, &robot.external_wrench) {
             (ParameterKind::Wrench, Some(external)) => self.of_wrench(robot, &external.wrench),
@@ -86,9 +87,9 @@ impl Parameter {
         }
     }
 
-    /// Writes a value into a robot; nothing else of it changes, but that stiffness, compliance and spring constant take each other's
-    /// place, and that a wrench includes the weight from then on. A groove without pitch gets no length, one without length no layers; an axis
-    /// that the robot does not have is not turned.
+    /// Writes a value into a robot. Nothing else changes, except that stiffness, compliance and spring constant replace
+    /// each other, and that a wrench then includes the weight. Values for a groove length without a pitch, a layer
+    /// height without a groove length, or the turn of a missing axis have no effect.
     pub fn set(&self, robot: &mut Robot, value: f64) {
         use ParameterKind as Kind;
         let index = axis_index(robot, self.axis);
@@ -106,8 +107,8 @@ impl Parameter {
         }
     }
 
-    /// Parameters of a kind that a cable (0-based) has for identification: all components, but of the drum's axis the one turn by which it leans
-    /// more towards its first pulley. Lengths tell how far it leans there and nothing else of where it points.
+    /// Parameters of a kind that identification has for a cable (0-based): all components, but for the drum's axis only
+    /// the turn that tilts it more towards its first pulley, since lengths depend on no other turn of it.
     pub(crate) fn identified(kind: ParameterKind, robot: &Robot, cable: usize) -> Vec<Self> {
         let all = (0..kind.components(robot)).map(|axis| Self { cable, kind, axis });
         let Some(towards) = robot.cables[cable].way_to_first_pulley() else {
@@ -123,7 +124,7 @@ impl Parameter {
         }
     }
 
-    /// Axis that a turn belongs to.
+    /// Axis to which a turn belongs.
     fn axis_of(&self, robot: &Robot) -> Option<Axis> {
         let cable = &robot.cables[self.cable];
         match self.kind {
@@ -151,14 +152,15 @@ impl Parameter {
         }
     }
 
-    /// Axis that the parameter turns, and the direction about which it does; `None` for one that turns no axis of the robot.
+    /// Axis that the parameter turns, and the direction about which it does; `None` if it turns no axis of the robot.
     pub fn turned_axis(&self, robot: &Robot) -> Option<(Axis, Vector3<f64>)> {
         let axis = self.axis_of(robot)?;
         Some((axis, self.turn_direction(robot, &axis)))
     }
 
-    /// [`Parameter::set`] where the reader of robot files would accept the value whatever else the robot states; `None` for a value out of
-    /// range, for a vector or table that the robot does not state, and where other numbers decide, as between least and largest.
+    /// [`Parameter::set`] if the reader of robot files would accept the value for any other numbers of the robot.
+    /// `None` for a value out of range, for a vector or table that the robot does not state, and if other numbers
+    /// decide, as for least and largest values.
     #[cfg(feature = "files")]
     pub fn set_alone(&self, robot: &mut Robot, value: f64) -> Option<()> {
         let is_alone = match self.kind {
@@ -176,13 +178,13 @@ impl Parameter {
             }
             // a cable states all numbers of a law or none
             ParameterKind::Stretch(_) => self.get(robot).is_some(),
-            // a drum stands outside its first pulley
+            // the first pulley must lie outside the drum
             ParameterKind::FrameAnchor => robot.cables[self.cable].winch.position.is_none(),
             ParameterKind::TensionMin | ParameterKind::TensionMax | ParameterKind::LengthMin => false,
             ParameterKind::LengthMax | ParameterKind::WrapMin | ParameterKind::WrapMax => false,
             ParameterKind::DrumRadius | ParameterKind::DrumPitch | ParameterKind::SpoolBuildUp => false,
             ParameterKind::GrooveLength | ParameterKind::LayerHeight => false,
-            // friction of a drum that stands is no less than that of one that turns, and a pulley turns by its radius
+            // static friction of a drum must not be below sliding friction, and a pulley turns by its radius
             ParameterKind::CoulombFriction => robot.cables[self.cable].winch.static_friction.is_none(),
             ParameterKind::StaticFriction | ParameterKind::StribeckSpeed | ParameterKind::PulleyInertia => false,
             ParameterKind::PulleyRadius => robot.cables[self.cable].pulley_inertia.is_none(),
@@ -193,14 +195,14 @@ impl Parameter {
             return None;
         }
         self.set(robot, value);
-        // cables from one point hold no platform
+        // cables from one point cannot hold a platform
         let first = robot.cables.first().map(|cable| cable.frame_anchor);
         let is_apart = robot.cables.len() < 2 || robot.cables.iter().any(|cable| Some(cable.frame_anchor) != first);
         is_apart.then_some(())
     }
 
-    /// Values that searches may give it: radii, compliances and hidden lengths not below 0, scales, radii of drums and numbers of laws positive, turns of axes up
-    /// to half a radian about each direction.
+    /// Values that searches may try: radii, compliances and hidden lengths not below 0; scales, radii of drums and
+    /// numbers of laws positive; turns of axes up to half a radian about each direction.
     pub fn bounds(&self) -> (f64, f64) {
         match self.kind.range() {
             _ if self.kind.is_turn() => (-LARGEST_TURN, LARGEST_TURN),
@@ -244,7 +246,7 @@ impl Parameter {
     }
 }
 
-/// World coordinate of an axis of the pattern.
+/// World coordinate of an axis of the pattern, from 0.
 fn axis_index(robot: &Robot, axis: usize) -> usize {
     match robot.motion_pattern.is_planar() {
         true => robot.plane.indices().get(axis).copied().unwrap_or_default(),
@@ -257,7 +259,7 @@ fn component(robot: &Robot, vector: &Vector3<f64>, axis: usize) -> f64 {
     vector[axis_index(robot, axis)] + 0.0
 }
 
-/// Row of a wrench for a degree of freedom, and the sense in which it counts: the plane's normal may be a negative axis.
+/// Row of a wrench for a degree of freedom, and its sign: the plane's normal may be a negative axis.
 fn wrench_row(robot: &Robot, degree_of_freedom: usize) -> (usize, f64) {
     let translations = robot.motion_pattern.translations();
     match degree_of_freedom.checked_sub(translations) {
@@ -270,7 +272,7 @@ fn wrench_row(robot: &Robot, degree_of_freedom: usize) -> (usize, f64) {
     }
 }
 
-/// Number of a cable that is no vector.
+/// Number of a cable that is not a vector.
 fn of_cable(kind: ParameterKind, cable: &Cable) -> Option<f64> {
     use ParameterKind as Kind;
     match kind {

@@ -1,26 +1,26 @@
-//! Names of parameters: the one place that writes and reads them, as people say them and as keys of robot files.
+//! Names of parameters: writes and reads them, both as names for users and as keys of robot files.
 
 use super::{Owner, Parameter, ParameterKind, Robot};
 
-/// Beginning of a name: a word and the cables in brackets behind it, counted from 0.
+/// Beginning of a name: a word and the cables in brackets after it, counted from 0.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Head<'t> {
     /// The word before the brackets.
     pub(crate) word: &'t str,
     /// Cables in the brackets; `None` without brackets or with `[*]`.
     pub(crate) cables: Option<Vec<usize>>,
-    /// Text behind.
+    /// Text after the brackets.
     pub(crate) rest: &'t str,
 }
 
 impl<'t> Head<'t> {
-    /// The word with which a text begins, up to a bracket, a point or a comma.
+    /// The word at the beginning of a text, up to a bracket, a point or a comma, and the remaining text.
     pub(crate) fn word(text: &'t str) -> (&'t str, &'t str) {
         let end = text.find(['[', ',', '.']).unwrap_or(text.len());
         (text[..end].trim(), &text[end..])
     }
 
-    /// Reads a word and its brackets; `None` for brackets that are not numbers from 1, as in `[1,3]`, or `[*]`.
+    /// Reads a word and its brackets; `None` if the brackets contain neither numbers from 1, as in `[1,3]`, nor `*`.
     pub(crate) fn read(text: &'t str) -> Option<Self> {
         let (word, rest) = Self::word(text);
         let Some(inside) = rest.strip_prefix('[') else { return Some(Self { word, cables: None, rest }) };
@@ -47,7 +47,7 @@ fn axis_letter(robot: &Robot, axis: usize) -> Option<char> {
 }
 
 impl Parameter {
-    /// Name for people and results, e.g. `frame-anchor[1].x`, `compliance[3]`, `wrench.force_z` or `mass`.
+    /// Name for users and results, e.g. `frame-anchor[1].x`, `compliance[3]`, `wrench.force_z` or `mass`.
     pub fn name(&self, robot: &Robot) -> String {
         let mut name = String::with_capacity(32);
         name.push_str(self.kind.name());
@@ -58,7 +58,8 @@ impl Parameter {
         name
     }
 
-    /// Key in the robot file, e.g. `cable[1].frame_anchor_m[1]` or `platform.mass_kg`; `None` for the wrench, which has two, and for turns of axes.
+    /// Key in the robot file, e.g. `cable[1].frame_anchor_m[1]` or `platform.mass_kg`; `None` for the wrench, which has
+    /// two keys, and for turns of axes.
     pub fn key(&self, robot: &Robot) -> Option<String> {
         let table = match self.kind.owner() {
             _ if self.kind.key().is_empty() => return None,
@@ -70,8 +71,8 @@ impl Parameter {
         Some(format!("{table}{}{}", self.kind.key(), self.entry(robot)))
     }
 
-    /// Parameters that a name or a key of robot files spells, `[*]` or a name without brackets meaning every cable; `None` where it
-    /// spells none, or a cable or component that the robot does not have.
+    /// Parameters with this name or key of robot files; `[*]` or a name without brackets means every cable. `None` if
+    /// there is no such name, cable or component.
     pub fn named(text: &str, robot: &Robot) -> Option<Vec<Self>> {
         let head = Head::read(text)?;
         let (kind, component, by_key) = match ParameterKind::ALL.into_iter().find(|kind| kind.name() == head.word) {
@@ -84,7 +85,7 @@ impl Parameter {
         let cables = match (kind.owner(), head.cables) {
             (Owner::Cable, None) => (0..robot.cable_count()).collect(),
             (Owner::Cable, Some(cables)) => cables,
-            // brackets behind a key of the robot itself are its component
+            // brackets after a key of the robot itself are its component
             (Owner::Robot, _) if by_key => vec![0],
             (_, None) => vec![0],
             (_, Some(_)) => return None,
@@ -96,7 +97,7 @@ impl Parameter {
         is_there.then(|| cables.into_iter().map(|cable| Self { cable, kind, axis }).collect())
     }
 
-    /// Component as people say it, with what stands before it; empty where there is one.
+    /// Component in the name for users, with its separator; empty if there is only one.
     fn component_name(&self, robot: &Robot) -> String {
         let mut name = String::new();
         self.push_component(robot, &mut name);
@@ -120,14 +121,14 @@ impl Parameter {
         name.extend(letter);
     }
 
-    /// Entry in the list of the robot file, from 1; empty where the key has one number.
+    /// Entry in the list of the robot file, from 1; empty if the key has one number.
     fn entry(&self, robot: &Robot) -> String {
         let is_number = self.kind == ParameterKind::Moment && robot.motion_pattern.is_planar();
         if self.kind.is_vector() && !is_number { format!("[{}]", self.axis + 1) } else { String::new() }
     }
 }
 
-/// Kind whose key stands behind a table of robot files, and the text behind the key.
+/// Kind with its key after a table of robot files, and the text after the key.
 fn kind_of_key<'t>(text: &'t str, head: &Head<'t>) -> Option<(ParameterKind, &'t str)> {
     let (owner, inside) = match head.word {
         "cable" if text.starts_with("cable[") => (Owner::Cable, head.rest.strip_prefix('.')?),
@@ -148,7 +149,7 @@ impl ParameterKind {
 }
 
 impl Robot {
-    /// Every parameter that a robot of its pattern and number of cables has, whether stated or not.
+    /// All parameters of a robot with its pattern and number of cables, stated or not.
     pub fn parameters(&self) -> impl Iterator<Item = Parameter> {
         ParameterKind::ALL.into_iter().flat_map(move |kind| {
             let cables = if kind.owner() == Owner::Cable { self.cable_count() } else { 1 };

@@ -34,7 +34,7 @@ fn a_value_that_is_set_is_the_value_that_is_got() {
     }
 }
 
-/// Stiffness and compliance are two ways to state one number: the way in which it is stated is the one that is set again.
+/// Stiffness and compliance are two forms of one number: `set` uses the form in which it is stated.
 #[test]
 fn to_set_the_value_that_a_robot_has_changes_nothing() {
     let built_in = crate::robot::builtin::names().map(|name| Robot::builtin(name).unwrap());
@@ -143,7 +143,8 @@ fn names_and_keys_are_those_that_files_and_results_use() {
     }
 }
 
-/// Numbers that a robot may have can be written to its file and read from there: ranges of files and of parameters are the same.
+/// Numbers that a robot may have can be written to its file and read back: ranges of files and of parameters are the
+/// same.
 #[test]
 fn values_out_of_range_are_those_that_robot_files_refuse() {
     let robot = Robot::builtin("cucablerobot").unwrap();

@@ -1,11 +1,12 @@
-//! Cubic pieces between knots: values, slopes, and where they are least.
+//! Cubic pieces between knots: values, slopes, and their minima.
 
 use std::ops::Sub;
 
-/// Largest slope at a knot in chord slopes: at 3 a piece may have a point of slope zero inside (Fritsch and Carlson 1980).
+/// Largest slope at a knot, relative to the chord: at 3 a piece may have a point of slope zero inside (Fritsch and
+/// Carlson 1980).
 const STEEPEST: f64 = 2.9;
 
-/// Least slope at an end of the table in chord slopes.
+/// Least slope at an end of the table, relative to the chord.
 const FLATTEST: f64 = 0.05;
 
 /// c₀ + c₁ x + c₂ x² + c₃ x³.
@@ -37,13 +38,13 @@ impl Cubic {
         c1 + x * (2.0 * c2 + x * 3.0 * c3)
     }
 
-    /// Place in 0..width of the least slope, and that slope; NaN counts as least.
+    /// Position in 0..width of the least slope, and that slope; NaN counts as least.
     pub(crate) fn least_slope(&self, width: f64) -> (f64, f64) {
         let [_, _, c2, c3] = self.0;
         least(&[0.0, width, -c2 / (3.0 * c3)], width, |x| self.slope(x))
     }
 
-    /// Place in 0..width of the least value, and that value.
+    /// Position in 0..width of the least value, and that value.
     pub(crate) fn least_value(&self, width: f64) -> (f64, f64) {
         let [_, c1, c2, c3] = self.0;
         // roots of the slope c₁ + 2 c₂ x + 3 c₃ x²
@@ -54,13 +55,13 @@ impl Cubic {
     }
 }
 
-/// The candidate inside 0..width with the least value.
+/// The candidate in 0..width with the least value, and that value.
 fn least(candidates: &[f64], width: f64, of: impl Fn(f64) -> f64) -> (f64, f64) {
     let inside = candidates.iter().copied().filter(|x| (0.0..=width).contains(x)).map(|x| (x, of(x)));
     inside.reduce(|a, b| if a.1 <= b.1 || a.1.is_nan() { a } else { b }).unwrap_or((0.0, f64::NAN))
 }
 
-/// Slopes at the knots that make the cubic pieces rise wherever the values do (Fritsch and Butland 1984).
+/// Slopes at the knots with which the cubic pieces rise wherever the values do (Fritsch and Butland 1984).
 pub(crate) fn rising_slopes(knots: &[f64], values: &[f64]) -> Vec<f64> {
     let widths: Vec<f64> = knots.windows(2).map(|pair| pair[1] - pair[0]).collect();
     let chords: Vec<f64> = values.windows(2).zip(&widths).map(|(pair, width)| (pair[1] - pair[0]) / width).collect();

@@ -6,49 +6,49 @@ use super::numbers::LawNumber;
 use super::{StretchError, hysteresis, linear, polynomial, two_piece};
 use crate::robot::Cable;
 
-/// How the cables of a model stretch.
+/// Law of stretch of a model's cables.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum StretchEffect {
-    /// Not at all.
+    /// No stretch.
     #[default]
     Rigid,
-    /// In proportion to the tension.
+    /// Strain in proportion to the tension.
     Linear,
-    /// By two slopes that meet at a strain.
+    /// Two slopes that meet at a knee.
     TwoPiece,
-    /// By a polynomial tension over strain.
+    /// Tension as a polynomial of the strain.
     Polynomial,
-    /// With loading and unloading branches and a memory.
+    /// Loading and unloading branches with a memory.
     Hysteresis,
 }
 
-/// A law of stretch: all that is said of it once. A model has one at most.
+/// A law of stretch with its properties. A model has at most one.
 #[derive(Debug)]
 pub struct Law {
-    /// Stretch of a composition that has it.
+    /// Effect of a composition with this law.
     pub effect: StretchEffect,
-    /// Word in the name of a composition.
+    /// Name of the effect in a composition.
     pub word: &'static str,
-    /// Tension as it makes it of the strain, in a few words.
+    /// Tension as a function of the strain, in a few words.
     pub summary: &'static str,
-    /// Keys of `[[cable]]` that state it, the one first that is missed where there is none.
+    /// Keys of `[[cable]]` for it; the first is named in an error if all are missing.
     pub keys: &'static [&'static str],
-    /// Further words about the missing key.
+    /// Advice in the error about the missing key.
     pub hint: &'static str,
-    /// Key of a table that has its keys, where they stand in one.
+    /// Key of the table that contains its keys, if they are in one.
     pub table: Option<&'static str>,
-    /// Numbers of it that are plain keys and parameters.
+    /// Its numbers that are plain keys and parameters.
     pub numbers: &'static [LawNumber],
-    /// True where tension depends on the strains before.
+    /// True if the tension depends on earlier strains.
     pub remembers: bool,
-    /// Data that it needs, in words.
+    /// Data needed for its numbers, in words.
     pub cost: &'static str,
     pub(super) law: fn(&Cable) -> Result<Option<Stretch>, StretchError>,
     pub(super) count: fn(&Cable) -> usize,
     pub(super) sample: fn(&mut Cable, f64),
 }
 
-/// All laws, simple ones first: each tells more of a real cable than those before it.
+/// All laws, simple ones first: each describes a real cable more closely than those before it.
 pub const LAWS: &[Law] = &[
     Law {
         effect: StretchEffect::Linear,

@@ -1,4 +1,4 @@
-//! The law of a table with two branches.
+//! The law of stretch with a loading and an unloading branch, from a table.
 
 use cdpr_core::cable::stretch::Stretch;
 use cdpr_core::cable::stretch::hysteresis::{Hysteresis, Memory, Piece, StopOperator};
@@ -6,7 +6,7 @@ use cdpr_core::cable::stretch::hysteresis::{Hysteresis, Memory, Piece, StopOpera
 use super::{HysteresisTable, StretchError};
 use crate::robot::Cable;
 
-/// The law of a table, refused where it is none.
+/// The law of a table; an error if the table makes no law.
 pub fn hysteresis_law(table: &HysteresisTable) -> Result<Hysteresis, StretchError> {
     let checked = table.pieces()?;
     let halved = |a: [f64; 4], b: [f64; 4], sign: f64| std::array::from_fn(|k| 0.5 * (a[k] + sign * b[k]));
@@ -33,7 +33,8 @@ pub(super) fn law(cable: &Cable) -> Result<Option<Stretch>, StretchError> {
     Ok(law.map(|law| Stretch::Hysteresis(law, Memory::virgin())))
 }
 
-/// Numbers of the cable's table that a test bench measures: both branches, which begin at zero tension, and what leads from one to the other.
+/// Number of values in the cable's table that a test bench measures: both branches, which begin at zero tension, and
+/// the transitions between them.
 pub(super) fn count(cable: &Cable) -> usize {
     let Some(table) = &cable.hysteresis else { return 0 };
     let (slopes, fractions) = ([&table.loading_slope_N, &table.unloading_slope_N], &table.transition_share);
@@ -41,11 +42,11 @@ pub(super) fn count(cable: &Cable) -> usize {
     branches.iter().sum::<usize>()
         + slopes.into_iter().flatten().map(Vec::len).sum::<usize>()
         + table.transition_strain.len()
-        // the shares add up to 1
+        // the fractions add up to 1
         + fractions.as_ref().map_or(0, |fractions| fractions.len().saturating_sub(1))
 }
 
-/// Branches of a cable that stiffens from this axial stiffness (N) on, a tenth apart in the middle.
+/// Gives a cable stiffening branches with this axial stiffness (N) at zero strain, a tenth apart in the middle.
 pub(super) fn sample(cable: &mut Cable, stiffness: f64) {
     let strain = vec![0.0, 0.005, 0.02];
     let loading: Vec<f64> = strain.iter().map(|e| stiffness * e * (1.0 + 20.0 * e)).collect();

@@ -1,7 +1,7 @@
-//! Tables of a robot file for cables that do not stretch in proportion, and the conditions under which they are a law.
+//! Tables of a robot file for cables that do not stretch linearly, and the conditions under which they are a law.
 //!
-//! A law is refused unless tension rises with strain: otherwise one tension would belong to several lengths. The formulas
-//! themselves are in [`cdpr_core::cable::stretch`]; [`registry::LAWS`] has an entry for each.
+//! A law is refused unless tension rises with strain: otherwise several lengths would have the same tension. The
+//! formulas themselves are in [`cdpr_core::cable::stretch`]; [`registry::LAWS`] has an entry for each.
 
 pub(crate) mod cubic;
 mod entries;
@@ -20,10 +20,10 @@ use cubic::Cubic;
 pub use hysteresis::hysteresis_law;
 pub use polynomial::polynomial_law;
 
-/// How far the branches may cross by rounding of their printed digits, as a share of the largest tension.
+/// Largest crossing of the branches by rounding of their printed digits, as a fraction of the largest tension.
 const CROSSING_TOLERANCE: f64 = 1e-9;
 
-/// How far the shares of the transitions may be from 1 by rounding of their printed digits.
+/// Largest deviation of the sum of the transitions' fractions from 1 by rounding of their printed digits.
 const SHARE_TOLERANCE: f64 = 1e-6;
 
 /// Loading and unloading branch of a cable, as cubic pieces between knots, and how tension goes from one to the other.
@@ -54,7 +54,7 @@ pub struct HysteresisTable {
     pub transition_share: Option<Vec<f64>>,
 }
 
-/// Why numbers are no law of stretch.
+/// Reason that numbers are no law of stretch.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum StretchError {
@@ -75,9 +75,9 @@ pub enum StretchError {
         .largest.map_or(String::new(), |largest| format!(", below tension_max_N = {largest}"))
     )]
     Turns {
-        /// Strain from which on the slope is no longer positive.
+        /// Least strain at which the slope is no longer positive.
         strain: f64,
-        /// The tension there (N).
+        /// Tension there (N).
         tension: f64,
         /// Largest tension in use, if known (N).
         largest: Option<f64>,
@@ -97,7 +97,7 @@ pub enum StretchError {
         found: usize,
         /// Entries expected.
         expected: usize,
-        /// The list that decides.
+        /// The list with which it is compared.
         of: &'static str,
     },
     /// Too few or too many entries.
@@ -107,10 +107,10 @@ pub enum StretchError {
         key: &'static str,
         /// Its entries.
         found: usize,
-        /// How many are allowed, in words.
+        /// Allowed numbers of entries, in words.
         allowed: &'static str,
     },
-    /// The first knot is not the unstrained cable.
+    /// The first knot is not at zero strain or tension.
     #[error("{key} begins with {found}; an unstrained cable has no tension, so it begins with 0")]
     Start {
         /// The key.
@@ -135,10 +135,10 @@ pub enum StretchError {
     Crossing {
         /// Strain at which the branches cross.
         strain: f64,
-        /// By how much (N).
+        /// Difference of the branches (N).
         above: f64,
     },
-    /// A law of which some numbers are missing.
+    /// A law with some of its numbers missing.
     #[error("{key} is given, but {missing} is not")]
     Incomplete {
         /// A key that is given.
@@ -146,20 +146,20 @@ pub enum StretchError {
         /// The key that is missing.
         missing: &'static str,
     },
-    /// A transition that is not a strain, or a share that is none.
+    /// A transition that is not a strain, or an invalid fraction.
     #[error("{key} has the entry {found}; {rule}")]
     Transition {
         /// The key.
         key: &'static str,
         /// The entry, or the sum of all.
         found: f64,
-        /// Rule that it breaks, in words.
+        /// Violated rule, in words.
         rule: &'static str,
     },
 }
 
 impl StretchError {
-    /// Stable short name of the mistake.
+    /// Stable short name of the error.
     pub(crate) fn code(&self) -> &'static str {
         match self {
             Self::NoStiffness { .. } | Self::Turns { .. } | Self::NotRising { .. } => "stretch::not-rising",
@@ -171,7 +171,7 @@ impl StretchError {
         }
     }
 
-    /// The key whose value is wrong.
+    /// The key with the wrong value.
     #[cfg(feature = "files")]
     pub(crate) fn key(&self) -> &'static str {
         match self {
@@ -187,7 +187,7 @@ impl StretchError {
         }
     }
 
-    /// How to mend it.
+    /// Advice on how to correct the value.
     #[cfg(feature = "files")]
     pub(crate) fn help(&self) -> &'static str {
         match self {
@@ -218,21 +218,21 @@ impl StretchError {
     }
 }
 
-/// One piece of both branches, from `start` over `width`.
+/// One piece of both branches, from strain `start` over `width`.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct BranchPiece {
     /// Strain at its beginning.
     pub(crate) start: f64,
-    /// How far it goes.
+    /// Length of the piece, in strain.
     pub(crate) width: f64,
-    /// Loading branch over strain − start.
+    /// Loading branch as a function of strain − start.
     pub(crate) loading: Cubic,
-    /// Unloading branch over strain − start.
+    /// Unloading branch as a function of strain − start.
     pub(crate) unloading: Cubic,
 }
 
 impl HysteresisTable {
-    /// The branches by pieces, checked: both rise, and unloading is nowhere above loading.
+    /// The pieces of both branches, after checks that both rise, and that unloading is nowhere above loading.
     pub(crate) fn pieces(&self) -> Result<Vec<BranchPiece>, StretchError> {
         self.check_entries()?;
         self.check_transitions()?;
@@ -260,7 +260,7 @@ impl HysteresisTable {
         (0..self.strain.len() - 1).map(piece).collect()
     }
 
-    /// Shares of the transitions, equal when the table has none.
+    /// Fractions of the transitions, equal if the table states none.
     pub(crate) fn fractions(&self) -> Vec<f64> {
         let count = self.transition_strain.len();
         self.transition_share.clone().unwrap_or_else(|| vec![1.0 / count as f64; count])
@@ -323,11 +323,11 @@ impl HysteresisTable {
         Ok(())
     }
 
-    /// Slopes of both branches at the knots, as given or as monotone interpolation makes them.
+    /// Slopes of both branches at the knots, as stated or from monotone interpolation.
     fn slopes(&self) -> [Vec<f64>; 2] {
         let mut loading = cubic::rising_slopes(&self.strain, &self.loading_N);
         let mut unloading = cubic::rising_slopes(&self.strain, &self.unloading_N);
-        // the branches leave zero tension together, so that the law has no kink there
+        // the branches have the same slope at zero tension, so that the law has no kink there
         let common = loading[0].min(unloading[0]);
         (loading[0], unloading[0]) = (common, common);
         [self.loading_slope_N.clone().unwrap_or(loading), self.unloading_slope_N.clone().unwrap_or(unloading)]

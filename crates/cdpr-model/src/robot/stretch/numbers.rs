@@ -1,4 +1,5 @@
-//! Numbers of laws of stretch that are plain keys of a cable: read, written, named and identified by the entry of their law.
+//! Numbers of laws of stretch that are plain keys of a cable: read, written, named and identified by the entry of their
+//! law.
 
 use std::collections::BTreeMap;
 
@@ -11,13 +12,14 @@ pub struct LawNumber {
     pub name: &'static str,
     /// Key in the robot file.
     pub key: &'static str,
-    /// Its unit, empty for a ratio.
+    /// Unit, empty for a ratio.
     pub unit: &'static str,
-    /// Meaning, in the words of the schema.
+    /// Description in the schema.
     pub about: &'static str,
 }
 
-/// Values of the numbers of a law in the order of its entry, all of which a cable states or none; `None` if it states none.
+/// Values of the numbers of a law in the order of its entry; `None` if a cable states none, an error if it states only
+/// some.
 pub(super) fn all_stated<const N: usize>(
     numbers: &[LawNumber; N],
     stated: &BTreeMap<&'static str, f64>,

@@ -1,4 +1,4 @@
-//! How far a polynomial of the strain rises.
+//! Range of strain in which a polynomial rises.
 
 use cdpr_core::cable::stretch::Stretch;
 use cdpr_core::cable::stretch::polynomial::Polynomial;
@@ -7,16 +7,16 @@ use super::StretchError;
 use crate::robot::Cable;
 use crate::scalar::polynomial::{bisect, derivative, horner, sign_changes};
 
-/// Strain up to which polynomials are looked at: no cable becomes a thousand times longer.
+/// Largest strain for which polynomials are checked: no cable becomes a thousand times longer.
 const RISING_RANGE: f64 = 1e3;
 
-/// A slope below this share of the one at zero counts as none.
+/// Slope, as a fraction of that at zero, below which it counts as zero.
 const FLATNESS: f64 = 1e-12;
 
-/// Strain up to which f = Σ cₖ εᵏ (k from 1) is used, or why it is no law.
+/// Strain up to which f = Σ cₖ εᵏ (k from 1) is used; an error if it is no law.
 ///
-/// That is any strain, up to 1000, for a polynomial that rises everywhere. One whose slope turns is accepted when it
-/// first reaches the largest tension in use, and used up to there.
+/// This is 1000 for a polynomial that rises everywhere. A polynomial that stops rising is accepted if it reaches the
+/// largest tension in use before, and is used up to there.
 pub(crate) fn rising_range(coefficients: &[f64], largest_tension: Option<f64>) -> Result<f64, StretchError> {
     let &stiffness = coefficients.first().ok_or(StretchError::NoCoefficients)?;
     if !coefficients.iter().all(|c| c.is_finite()) {
@@ -34,7 +34,7 @@ pub(crate) fn rising_range(coefficients: &[f64], largest_tension: Option<f64>) -
     }
 }
 
-/// Least strain where the slope is no longer positive.
+/// Least strain at which the slope is no longer positive.
 fn first_turn(slope: &[f64]) -> Option<f64> {
     let flat = FLATNESS * slope[0];
     let mut marks = sign_changes(&derivative(slope), RISING_RANGE);
@@ -51,8 +51,8 @@ fn first_turn(slope: &[f64]) -> Option<f64> {
 
 /// The law f = Σ cₖ εᵏ with `coefficients` c₁, c₂, … (N).
 ///
-/// A polynomial whose slope turns somewhere is accepted if it reaches `largest_tension` (N) before, and is used up to
-/// there; it is refused otherwise, with the strain where the slope turns.
+/// A polynomial that stops rising is accepted if it reaches `largest_tension` (N) before, and is used up to there;
+/// otherwise the error states the strain at which it stops.
 pub fn polynomial_law(coefficients: &[f64], largest_tension: Option<f64>) -> Result<Polynomial, StretchError> {
     let end = rising_range(coefficients, largest_tension)?;
     Ok(Polynomial::rising_to(end, coefficients.iter().copied().collect()))
@@ -65,12 +65,12 @@ pub(super) fn law(cable: &Cable) -> Result<Option<Stretch>, StretchError> {
     Ok(law.map(Stretch::Polynomial))
 }
 
-/// Coefficients of the cable.
+/// Number of coefficients of the cable.
 pub(super) fn count(cable: &Cable) -> usize {
     cable.tension_of_strain.as_ref().map_or(0, Vec::len)
 }
 
-/// A cable that stiffens from this axial stiffness (N) on.
+/// Gives a cable a stiffening law with this axial stiffness (N) at zero strain.
 pub(super) fn sample(cable: &mut Cable, stiffness: f64) {
     cable.tension_of_strain = Some(vec![stiffness, 60.0 * stiffness]);
 }
@@ -108,7 +108,7 @@ mod tests {
         );
     }
 
-    /// (ε − 1)² touches zero at 1: there one tension has no stiffness.
+    /// (ε − 1)² touches zero at 1: at the tension there the stiffness is zero.
     #[test]
     fn a_slope_that_only_touches_zero_is_refused() {
         assert!(matches!(rising_range(&[1.0, -1.0, 1.0 / 3.0], None), Err(StretchError::Turns { .. })));

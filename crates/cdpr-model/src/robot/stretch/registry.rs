@@ -1,4 +1,4 @@
-//! Laws of stretch by their effect and word, and their numbers.
+//! Laws of stretch by their effect and name, and their numbers.
 
 use cdpr_core::cable::stretch::Stretch;
 
@@ -8,7 +8,7 @@ pub use super::numbers::LawNumber;
 use crate::robot::Cable;
 
 impl Law {
-    /// The law of this word.
+    /// The law with this name.
     pub fn named(word: &str) -> Option<&'static Self> {
         LAWS.iter().find(|law| law.word == word)
     }
@@ -18,40 +18,40 @@ impl Law {
         (self.law)(cable)
     }
 
-    /// Numbers of a cable that it takes, from identification or a test bench.
+    /// Number of values that it needs for a cable, from identification or a test bench.
     pub fn number_count(&self, cable: &Cable) -> usize {
         (self.count)(cable)
     }
 
-    /// Gives a cable plausible numbers of the law, by an axial stiffness (N), for trials of every law on one robot.
+    /// Gives a cable plausible numbers of the law, from an axial stiffness (N), for tests of every law on one robot.
     pub fn exemplify(&self, cable: &mut Cable, stiffness: f64) {
         (self.sample)(cable, stiffness);
     }
 }
 
 impl StretchEffect {
-    /// Every way to stretch, simple ones first.
+    /// All effects, simple ones first.
     pub(crate) fn all() -> impl Iterator<Item = Self> {
         std::iter::once(Self::Rigid).chain(LAWS.iter().map(|law| law.effect))
     }
 
-    /// Its law; `None` for cables that keep their length.
+    /// Its law; `None` for rigid cables.
     pub(crate) fn law(self) -> Option<&'static Law> {
         LAWS.iter().find(|law| law.effect == self)
     }
 
-    /// Rank by how much of a real cable it tells; 0 for cables that keep their length.
+    /// Rank in the list of laws, which describe real cables ever more closely; 0 for rigid cables.
     pub fn richness(self) -> usize {
         LAWS.iter().position(|law| law.effect == self).map_or(0, |place| place + 1)
     }
 
-    /// True where tensions depend on the strains before.
+    /// True if tensions depend on earlier strains.
     pub fn remembers(self) -> bool {
         self.law().is_some_and(|law| law.remembers)
     }
 }
 
-/// Words of all laws in a row, the last one after this conjunction.
+/// Names of all laws in a list, the last one after this conjunction.
 pub fn law_words(conjunction: &str) -> String {
     let words: Vec<String> = LAWS.iter().map(|law| format!("`{}`", law.word)).collect();
     match words.split_last() {
@@ -67,7 +67,7 @@ pub(crate) fn law_numbers() -> impl Iterator<Item = &'static LawNumber> {
     LAWS.iter().flat_map(|law| law.numbers)
 }
 
-/// A number of a law of stretch that is a parameter of every cable, by the places of the law and of the number in it.
+/// A number of a law of stretch that is a parameter of every cable, by the indices of the law and of the number in it.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct StretchNumber {
     law: usize,
@@ -75,7 +75,7 @@ pub struct StretchNumber {
 }
 
 impl StretchNumber {
-    /// How many all laws have.
+    /// Total number of numbers of all laws.
     pub(crate) const COUNT: usize = {
         let (mut count, mut law) = (0, 0);
         while law < LAWS.len() {
@@ -85,7 +85,7 @@ impl StretchNumber {
         count
     };
 
-    /// The number at a place below [`StretchNumber::COUNT`] among those of all laws.
+    /// The number at an index below [`StretchNumber::COUNT`] among those of all laws.
     pub(crate) const fn at(mut place: usize) -> Self {
         let mut law = 0;
         while place >= LAWS[law].numbers.len() {
@@ -95,12 +95,12 @@ impl StretchNumber {
         Self { law, place }
     }
 
-    /// Its law.
+    /// The law of the number.
     pub(crate) fn law(self) -> &'static Law {
         &LAWS[self.law]
     }
 
-    /// Its place among the numbers of its law, from 0.
+    /// Index among the numbers of its law, from 0.
     pub(crate) fn place(self) -> usize {
         self.place
     }
@@ -115,7 +115,7 @@ impl StretchNumber {
 mod tests {
     use super::*;
 
-    /// Words, keys and names are told apart, and the numbers of every law are found by their place.
+    /// Names and keys are unique, and the numbers of every law are found by their index.
     #[test]
     fn every_law_has_a_word_keys_and_numbers_of_its_own() {
         for law in LAWS {
@@ -136,7 +136,7 @@ mod tests {
         assert!(StretchEffect::Hysteresis.richness() > StretchEffect::Linear.richness());
     }
 
-    /// The sample of a law is a law, and a robot without it misses its first key.
+    /// The sample of a law gives a cable that law, and the error for a robot without it names its first key.
     #[test]
     fn a_cable_has_the_law_whose_numbers_it_is_given() {
         for law in LAWS {

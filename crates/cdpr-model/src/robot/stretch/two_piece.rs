@@ -1,4 +1,4 @@
-//! The law of two pieces: soft below the strain of a knee, stiff above.
+//! The law of two pieces: soft below the strain of a knee, stiff above it.
 
 use cdpr_core::cable::stretch::Stretch;
 use cdpr_core::cable::stretch::two_piece::TwoPiece;
@@ -35,12 +35,12 @@ pub(super) fn law(cable: &Cable) -> Result<Option<Stretch>, StretchError> {
     Ok(numbers.map(|[below, above, knee]| Stretch::TwoPiece(TwoPiece { below, above, knee })))
 }
 
-/// Numbers of the law.
+/// Number of parameters of the law.
 pub(super) fn count(_: &Cable) -> usize {
     NUMBERS.len()
 }
 
-/// A cable of half the stiffness up to a strain of 0.04 %.
+/// Gives a cable half the stiffness up to a strain of 0.04 %.
 pub(super) fn sample(cable: &mut Cable, stiffness: f64) {
     let values = [0.5 * stiffness, stiffness, 4e-4];
     cable.law_numbers.extend(NUMBERS.iter().map(|number| number.key).zip(values));

@@ -1,4 +1,4 @@
-//! Load, split, groups, and input that cannot be.
+//! Load, split, groups, and invalid input.
 
 use nalgebra::{DVector, Vector3};
 
@@ -17,13 +17,14 @@ fn a_wrench_that_includes_gravity_is_the_whole_load() {
     let pose = turned(&robot);
     let without = Load::of(&Robot { external_wrench: None, ..robot.clone() }).unwrap();
     assert_eq!(load.wrench(&pose) - without.wrench(&pose), wrench);
-    // neither mass nor gravity is needed where the wrench says all
+    // neither mass nor gravity is needed if the wrench includes gravity
     robot.external_wrench = Some(ExternalWrench { wrench, includes_gravity: true, note: None });
     (robot.platform.mass, robot.gravity) = (None, None);
     assert_eq!(Load::of(&robot), Ok(Load::constant(wrench)));
 }
 
-/// In the xz plane, where a turn is about −y, a weight right of the origin turns the platform to the right.
+/// In the xz plane, where positive rotations are about −y, a weight right of the origin turns the platform to the
+/// right.
 #[test]
 fn a_planar_load_has_its_moment_about_the_normal() {
     let mut robot = Robot::builtin("kntu-planar").unwrap();
@@ -48,14 +49,14 @@ fn tensions_split_into_an_internal_and_an_external_part() {
         let (internal, external) = (DVector::from_vec(parts.internal), DVector::from_vec(parts.external));
         assert!((&internal + &external - DVector::from_column_slice(&f)).amax() < 1e-10);
         assert!((&matrix * &internal).amax() < 1e-9);
-        // eq. 2.38 and 2.39 as they stand: −A⁺ᵀ w of the load that f balances
+        // eq. 2.38 and 2.39 literally: −A⁺ᵀ w of the load that f balances
         let inverse = (&matrix * matrix.transpose()).try_inverse().unwrap();
         let expected = matrix.transpose() * inverse * &matrix * DVector::from_column_slice(&f);
         assert!((external - expected).amax() < 1e-9);
     }
 }
 
-/// All cables in one plane: Aᵀ of the spatial robot has rank 3, AᵀA no inverse, and the projector still works.
+/// All cables in one plane: Aᵀ of the spatial robot has rank 3, AᵀA has no inverse, and the projector still exists.
 #[test]
 fn a_structure_matrix_of_less_rank_still_splits() {
     let mut robot = elastic_robot();

@@ -90,7 +90,7 @@ fn stiffness_is_that_of_finite_differences() {
     }
 }
 
-/// Each sign that the dissertation prints otherwise moves the matrix by thousands of times the difference that is left.
+/// Each sign that the dissertation prints otherwise changes the matrix by thousands of times the remaining difference.
 #[test]
 fn misprinted_signs_fail_finite_differences() {
     let (model, pose, tensions, load) = of(Composition::ELASTIC);
@@ -105,7 +105,7 @@ fn misprinted_signs_fail_finite_differences() {
     for (name, matrix) in misprints {
         assert!((matrix - &numeric).amax() > 10.0, "{name}");
     }
-    // eq. 2.69: ∂b/∂x with the sign of the print, twice the moment arm's part away
+    // eq. 2.69: ∂b/∂x with the printed sign, which subtracts twice the part of the moment arm
     let mut lever_part = DMatrix::<f64>::zeros(6, 6);
     for cable in 0..8 {
         let (path, moment_arm) = model.path(cable, &pose).unwrap();
@@ -118,7 +118,7 @@ fn misprinted_signs_fail_finite_differences() {
     assert!((&k.system + &lever_part * 2.0 - &numeric).amax() > 10.0);
 }
 
-/// δx = K_wx⁻¹ (δw − K_wq δq_θ): a Newton solve of the balance lands where the matrices say.
+/// δx = K_wx⁻¹ (δw − K_wq δq_θ): a Newton solve of the balance ends at the predicted pose.
 #[test]
 fn the_platform_moves_as_compliance_and_length_jacobian_say() {
     let mut robot = elastic_robot();
@@ -142,7 +142,7 @@ fn the_platform_moves_as_compliance_and_length_jacobian_say() {
         let force = Wrench::ith(axis, small);
         let moved = equilibrium(&k.controlled_lengths, &force) - equilibrium(&k.controlled_lengths, &-force);
         let predicted = k.compliance().unwrap().column(axis) * (2.0 * small);
-        // central difference: third order of 1e-6 m; the Newton steps leave rounding
+        // central difference: third order of 1e-6 m; after the Newton steps only rounding
         assert!((moved - predicted).amax() < 1e-12, "axis {axis}: {moved}");
     }
     for cable in 0..8 {

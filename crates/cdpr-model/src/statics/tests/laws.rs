@@ -1,4 +1,4 @@
-//! Laws that every stiffness obeys, and cases that can be done by hand.
+//! Laws that every stiffness obeys, and cases calculated by hand.
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -68,7 +68,7 @@ fn the_tangent_of_a_pull_is_symmetric() {
         let law = model.elasticity(cable).tension(path.length, controlled[cable]);
         let gradient = Matrix3::from_fn(|i, j| path.direction_gradient[i][j]);
         assert!((tangent - (gradient * law.value - u * u.transpose() * law.by_length)).amax() < 1e-4);
-        // and it is what the translations of a one-cable robot feel
+        // and it is the stiffness for translations of a one-cable robot
         assert!(moment_arm.norm() > 0.0);
     }
 }
@@ -87,7 +87,8 @@ fn pulleys_of_radius_zero_have_the_stiffness_of_point_outlets() {
     assert!((&base.by_controlled_length - &pulley.by_controlled_length).amax() < 1e-9 * base.system.amax());
 }
 
-/// By actual length K/K_θ = q_θ/q, by unstrained length too, for a constant spring they are one: mixing them is off by percents.
+/// K/K_θ = q_θ/q by actual length, also by unstrained length, and 1 for a constant spring: confusing them gives errors
+/// of percents.
 #[test]
 fn stiffness_by_length_and_by_controlled_length_differ_by_the_strain() {
     let mut robot = elastic_robot();
@@ -144,7 +145,7 @@ fn a_hanging_point_has_the_stiffness_of_a_pendulum() {
     assert!((k.system[(2, 2)] - 1e5 * (1.0 - 0.00981) / 5.0).abs() < 1e-8);
     assert_eq!(k.stability(), Stability::Stable);
     assert!((k.compliance().unwrap()[(0, 0)] - 5.0 / 981.0).abs() < 1e-12);
-    // without tension nothing holds it
+    // without tension the stiffness is zero
     let slack = Stiffness::at(&model, &Pose::identity(), &[0.0], &load).unwrap();
     assert_eq!((slack.stability(), slack.compliance()), (Stability::Indifferent, None));
 }
@@ -171,7 +172,7 @@ fn the_gravity_term_decides_whether_a_weight_tips() {
         let load = Load::of(&robot).unwrap();
         let model = Model::new(robot, Composition::ELASTIC).unwrap();
         let k = Stiffness::at(&model, &Pose::identity(), &[981.0], &load).unwrap();
-        // the turn about the platform origin: m g h against it
+        // the rotation about the platform origin, against which m g h acts
         assert!((k.system[(2, 2)] + 981.0 * height).abs() < 1e-9, "{}", k.system);
         k.stability()
     };
@@ -188,7 +189,7 @@ fn two_piece() -> Robot {
     robot
 }
 
-/// Its numbers are parameters of models that have it, and their derivatives those of lengths at given tensions.
+/// The law's numbers are parameters of models that have it; their derivatives are those of lengths at given tensions.
 #[test]
 fn its_numbers_are_free_where_the_model_has_it() {
     let free: FreeParameters = "stiffness-below-knee,stiffness-above-knee[2],knee-strain".parse().unwrap();
@@ -210,12 +211,13 @@ fn its_numbers_are_free_where_the_model_has_it() {
         let slope = (with(value + h) - with(value - h)) / (2.0 * h);
         let state = cable_state(&model, &pose, cable, 3000.0).unwrap();
         let (_, found) = model.by_parameter(cable, &state, parameter, &pose.rotation_matrix());
-        // lengths of 10 m have rounding of 1e-15 of them, over 2e-5 of the number
+        // lengths of 10 m have a rounding of 1e-15 of them, over 2e-5 of the number
         assert!((found - slope).abs() * value < 1e-9, "{}: {found} {slope}", parameter.name(model.robot()));
     }
 }
 
-/// A file that states no such law does not support it, and the first key is named; it is richer than `elastic` and poorer than a polynomial.
+/// A file that states no such law does not support it, and the error names the first key; the law is richer than
+/// `elastic` and poorer than a polynomial.
 #[test]
 fn a_robot_without_its_keys_lacks_them_by_name() {
     let plain = Robot::builtin("planar-example").unwrap();

@@ -1,4 +1,4 @@
-//! Robots for the tests, and what several tests calculate.
+//! Robots for the tests, and calculations that several tests share.
 
 mod balance;
 mod derivatives;
@@ -61,7 +61,7 @@ fn residual(model: &Model, pose: &Pose, controlled: &[f64], load: &Load) -> DVec
     wrench_residual(model, pose, &tensions, load).unwrap()
 }
 
-/// Tensions of a level robot that balance its load: a big common part, and what the load needs.
+/// Tensions of a level robot that balance its load: a large common part, and a correction for the load.
 fn balanced(model: &Model, pose: &Pose, load: &Load) -> Vec<f64> {
     let matrix = model.structure_matrix(pose).unwrap();
     let middle = DVector::from_element(model.cable_count(), 1500.0);

@@ -1,9 +1,9 @@
 //! The nearest point of a box within the solutions of the balance, by a dual active set (Goldfarb and Idnani 1983).
 //!
-//! The search starts at the nearest point f of the affine space f + H λ and adds the limit that is missed most, until none
-//! is: every point on the way is the nearest one that keeps the limits in the active set, so the distance grows with every
-//! limit added, no set comes twice, and the last point is the optimum. Where a limit can neither be met nor exchanged
-//! against an active one, the multipliers prove that no tensions keep these limits.
+//! The search starts at the nearest point f of the affine space f + H λ and adds the limit that is missed most, until
+//! none is missed. Every point in between is the nearest one that keeps the limits in the active set, so that the
+//! distance grows with every limit added, no set comes twice, and the last point is the optimum. If a limit can neither
+//! be met nor exchanged against an active one, the multipliers prove that no tensions keep these limits.
 
 use super::block::{Block, add_scaled, dot, fill, rotate};
 use super::bound::{Bound, BoundEnd};
@@ -16,9 +16,10 @@ use crate::tension::Limits;
 pub(super) struct ActiveSet {
     cable_count: usize,
     blocks: usize,
-    /// m − rank, the columns of `basis`.
+    /// Columns of `basis`: m − rank.
     dimension: usize,
-    /// Orthonormal basis of the null space. Its first columns span the active limits; the point's buffer follows the basis.
+    /// Orthonormal basis of the null space. Its first columns span the active limits; the particular solution follows
+    /// them.
     pub(super) basis: Vec<Block>,
     /// R of the active limits' rows in `basis`, by columns of m entries.
     triangle: Vec<f64>,
@@ -26,9 +27,9 @@ pub(super) struct ActiveSet {
     multipliers: Vec<f64>,
     /// The active limits of the last search.
     remembered: Vec<Bound>,
-    /// The row of `basis` of the limit that is being added, times its sign.
+    /// The row of `basis` for the limit to be added, times its sign.
     row: Vec<f64>,
-    /// How fast the multipliers of active limits fall while the limit is being added.
+    /// Rates at which the multipliers of active limits fall while a limit is being added.
     pub(super) weights: Vec<f64>,
     /// Tensions (N).
     pub(super) point: Vec<Block>,
@@ -63,7 +64,8 @@ impl ActiveSet {
 }
 
 impl ActiveSet {
-    /// The nearest point to `reference`; `basis` holds the null space and after it a solution, as `Balance` writes them.
+    /// Writes the nearest point to `reference`; `basis` holds the null space and after it a solution, as `Balance`
+    /// writes them.
     pub(super) fn search(&mut self, dimension: usize, limits: &Limits, reference: Option<&[f64]>) -> BoundEnd {
         if self.blocks == 1 && (1..=2).contains(&dimension) {
             return self.search_plane(dimension, limits, reference);
@@ -88,7 +90,7 @@ impl ActiveSet {
         }
     }
 
-    /// The same for one or two more cables than degrees of freedom.
+    /// The same search for one or two more cables than degrees of freedom.
     fn search_plane(&mut self, dimension: usize, limits: &Limits, reference: Option<&[f64]>) -> BoundEnd {
         self.dimension = dimension;
         self.write_limits(limits);
@@ -106,7 +108,7 @@ impl ActiveSet {
         })
     }
 
-    /// Sets the point to the nearest one that balances the load, whatever the limits.
+    /// Sets the point to the balanced tensions nearest to the reference, without regard to limits.
     pub(super) fn begin(&mut self, dimension: usize, limits: &Limits, reference: Option<&[f64]>) {
         self.dimension = dimension;
         self.iterations = 0;
@@ -119,14 +121,13 @@ impl ActiveSet {
         fill(&mut self.maximum, limits.maximum().iter().copied());
     }
 
-    /// Combination of cables that has its largest value within the limits where they contradict the balance.
-    ///
-    /// The balance fixes it at a larger value. The buffer is the caller's to use up.
+    /// Writes the combination of cables that proves the contradiction: balance requires a larger value of it than any
+    /// tensions within the limits have. The caller may overwrite the buffer.
     pub(super) fn write_contradiction(&mut self, bound: Bound) -> &mut [Block] {
         self.step.fill([0.0; LANES]);
         self.step[bound.cable / LANES][bound.cable % LANES] = -bound.sign;
         for (bound, &weight) in self.active.iter().zip(&self.weights) {
-            // it is at most rounding above 0
+            // a weight is at most rounding above 0
             self.step[bound.cable / LANES][bound.cable % LANES] = weight.min(0.0) * bound.sign;
         }
         &mut self.step
@@ -137,7 +138,8 @@ impl ActiveSet {
         self.active.clear();
     }
 
-    /// Starts from the active set of the last search, less the limits that push the wrong way.
+    /// Starts from the active set of the last search, without limits that depend on others or have a negative
+    /// multiplier.
     fn resume(&mut self, limits: &Limits) {
         let known = self.active.len();
         self.remembered.clear();
@@ -164,7 +166,7 @@ impl ActiveSet {
         }
     }
 
-    /// The nearest point of the affine space to the reference, by default the middle of the limits.
+    /// Sets the point to the one of the affine space nearest to the reference.
     fn start(&mut self, reference: Option<&[f64]>) {
         self.write_reference(reference);
         let (blocks, end) = (self.blocks, self.dimension * self.blocks);
@@ -174,7 +176,7 @@ impl ActiveSet {
         }
     }
 
-    /// The reference, by default the middle of the limits, into `step`.
+    /// Writes the reference, by default the middle of the limits, to `step`.
     fn write_reference(&mut self, reference: Option<&[f64]>) {
         match reference {
             Some(reference) => fill(&mut self.step, reference.iter().copied()),
@@ -188,7 +190,7 @@ impl ActiveSet {
         }
     }
 
-    /// Multipliers of the active limits, and in `row` the way to the point that meets them all.
+    /// Writes the multipliers of the active limits, and to `row` the step to the point that meets them all.
     fn solve_for_active(&mut self, limits: &Limits) {
         let (q, m) = (self.active.len(), self.cable_count);
         for j in 0..q {
@@ -229,7 +231,8 @@ impl ActiveSet {
         })
     }
 
-    /// Moves to the nearest point that meets this limit too, exchanging active ones where they are in the way.
+    /// Moves to the nearest point that also meets this limit; active limits whose multiplier reaches zero are removed.
+    /// Returns `Some` if the search ends here.
     fn add(&mut self, bound: Bound, limits: &Limits) -> Option<BoundEnd> {
         let (block, lane) = (bound.cable / LANES, bound.cable % LANES);
         let mut multiplier = 0.0;
@@ -240,13 +243,14 @@ impl ActiveSet {
             }
             let free = self.look_along(bound);
             let missed = bound.missed(self.point[block][lane], limits).max(0.0);
-            // no allowed tensions are further away than the diameter: a limit that asks for more cannot be met this way
+            // no allowed tensions are further away than the diameter: a limit that needs a longer step cannot be met
+            // this way
             let is_open = free > SMALL || (free > ZERO && missed < 4.0 * free.sqrt() * limits.diameter());
             let whole = if is_open { missed / free } else { f64::INFINITY };
             let (part, blocking) = self.first_to_vanish();
             let length = whole.min(part);
             if length.is_infinite() {
-                // nothing makes room, or what would has overflowed
+                // no active limit can be removed, or the multiplier of one has overflowed
                 return Some(if blocking.is_none() { BoundEnd::Contradiction(bound) } else { BoundEnd::TooLong });
             }
             add_scaled(&mut self.point, length, &self.step);
@@ -264,8 +268,8 @@ impl ActiveSet {
         }
     }
 
-    /// Writes the row, the step and the weights of a limit; returns the squared length of the part that active limits
-    /// leave free.
+    /// Writes the row, the step and the weights of a limit; returns the squared length of the part of its row that
+    /// active limits leave free.
     fn look_along(&mut self, bound: Bound) -> f64 {
         let (q, m, blocks) = (self.active.len(), self.cable_count, self.blocks);
         let (block, lane) = (bound.cable / LANES, bound.cable % LANES);
@@ -290,7 +294,7 @@ impl ActiveSet {
         free
     }
 
-    /// The active limit whose multiplier is the first to reach zero, and the step to there.
+    /// Step length at which the first multiplier of an active limit reaches zero, and the index of that limit.
     fn first_to_vanish(&self) -> (f64, Option<usize>) {
         let mut first = (f64::INFINITY, None);
         for (j, (&u, &weight)) in self.multipliers.iter().zip(&self.weights).enumerate() {
@@ -302,7 +306,7 @@ impl ActiveSet {
         first
     }
 
-    /// Adds a limit whose `row` is written: rotates the free columns so that one alone has a part in it.
+    /// Adds a limit with a given `row`: rotates the free columns so that only one of them has a part in it.
     fn insert(&mut self, bound: Bound, multiplier: f64) {
         let (q, m, blocks) = (self.active.len(), self.cable_count, self.blocks);
         for j in (q + 1..self.dimension).rev() {
@@ -341,7 +345,7 @@ impl ActiveSet {
     }
 }
 
-/// √(a² + b²) of entries of orthonormal columns: nothing can overflow, and what underflows is zero.
+/// √(a² + b²) of entries of orthonormal columns: no overflow is possible, and underflow gives zero.
 fn length_of(a: f64, b: f64) -> f64 {
     (a * a + b * b).sqrt()
 }

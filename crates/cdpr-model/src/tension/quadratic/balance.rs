@@ -8,7 +8,7 @@ use crate::scalar::{LANES, dispatch_narrow};
 use crate::tension::InputError;
 use crate::tension::limits::LARGEST;
 
-/// A residual of the load below this part of load and tensions is rounding, where rows depend on each other.
+/// Residual of the load, as a fraction of load and tensions, below which dependent rows do not contradict each other.
 const INCONSISTENT: f64 = 1e-9;
 
 /// Householder factors of the rows of a structure matrix, A = Q R.
@@ -28,18 +28,18 @@ pub(in crate::tension) struct Balance {
     /// Row of the structure matrix at each place.
     order: Vec<usize>,
     rank: usize,
-    /// Whether the factors are those of the usual sizes, rows in their own order.
+    /// True if the factors come from the fixed-size code, with rows in their own order.
     is_fixed: bool,
     /// Coordinates of the particular solution in the columns of Q.
     coordinates: Vec<f64>,
 }
 
-/// Rest of a load that no tensions balance.
+/// Residual of a load that no tensions balance.
 #[derive(Clone, Copy, Debug)]
 pub(in crate::tension) struct Unreachable {
-    /// Place (in the order of the factors) of the row that stays unbalanced.
+    /// Place (in the order of the factors) of the unbalanced row.
     place: usize,
-    /// Component missing there (of the row scaled to length 1).
+    /// Its residual, with the row scaled to length 1.
     residual: f64,
 }
 
@@ -65,14 +65,14 @@ impl Balance {
         self.rank
     }
 
-    /// True when the rows are so independent that no way of counting them could doubt it.
+    /// True if the rows are independent by a margin that holds in any order of the rows.
     pub(in crate::tension) fn rank_is_certain(&self) -> bool {
         let reciprocals = (0..self.dof).map(|row| self.triangle[row * self.dof + row].abs());
         self.rank == self.dof && reciprocals.fold(0.0, f64::max) < 1.0 / CERTAIN
     }
 
-    /// Solves the balance: writes H (m − rank columns) to `solutions` and after it the minimum-norm tensions that balance what
-    /// they can of the load. `Some` where that is not all of it.
+    /// Solves the balance: writes H (m − rank columns) to `solutions` and after it the minimum-norm tensions that
+    /// balance the rows with rank. Returns the residual if another row contradicts them, otherwise `None`.
     pub(in crate::tension) fn solve(
         &mut self,
         structure_matrix: &DMatrix<f64>,
@@ -89,7 +89,7 @@ impl Balance {
         Ok(unreachable)
     }
 
-    /// The usual sizes in registers; false where that is not possible.
+    /// Solves 2, 3 or 6 rows with up to eight cables in registers; false if the general code is needed.
     fn solve_fixed(&mut self, structure_matrix: &DMatrix<f64>, wrench: &[f64], solutions: &mut [Block]) -> bool {
         if self.blocks != 1 || self.dof > self.cable_count {
             return false;
@@ -124,7 +124,7 @@ impl Balance {
         }
     }
 
-    /// Factors of this matrix; the order of rows is only looked for where the rank is in doubt.
+    /// Factorises the matrix; rows are reordered only if the rank is in doubt.
     fn factorise(&mut self, structure_matrix: &DMatrix<f64>) -> Result<(), InputError> {
         self.load(structure_matrix)?;
         if !self.reflect(false) {
@@ -151,7 +151,7 @@ impl Balance {
             largest = largest.max(*place);
         }
         for (row, scale) in self.columns.chunks_exact_mut(blocks).zip(&mut self.row_scales) {
-            // a row of rounding must not become one of length 1
+            // a row of rounding must not be scaled to length 1
             *scale = if *scale > LOST * LOST * largest { 1.0 / scale.sqrt() } else { 1.0 };
             row.as_flattened_mut().iter_mut().for_each(|entry| *entry *= *scale);
         }
@@ -159,7 +159,7 @@ impl Balance {
         Ok(())
     }
 
-    /// False when the rank is in doubt and the rows were taken as they came.
+    /// Writes the reflectors; false if the rank is in doubt and the rows were not reordered.
     fn reflect(&mut self, ordered: bool) -> bool {
         let (dof, blocks) = (self.dof, self.blocks);
         let most = dof.min(self.cable_count);
@@ -211,7 +211,8 @@ impl Balance {
         self.order.swap(k, longest);
     }
 
-    /// Solves Rᵀ y = −w for the rows that have rank; `Some` when another row contradicts them.
+    /// Solves Rᵀ y = −w for the rows that have rank; returns the worst residual of the other rows if it is above
+    /// rounding.
     fn balance(&mut self, wrench: &[f64]) -> Result<Option<Unreachable>, InputError> {
         let (dof, rank) = (self.dof, self.rank);
         let mut worst: Option<Unreachable> = None;
@@ -232,7 +233,7 @@ impl Balance {
                 worst = Some(Unreachable { place, residual });
             }
         }
-        // the squares of tensions are needed too; NaN fails this as well
+        // the squares of tensions must be finite too; NaN fails this as well
         if !(sum.abs() < LARGEST) {
             return Err(InputError::NotFinite { what: "wrench" });
         }
@@ -259,7 +260,7 @@ impl Balance {
         }
     }
 
-    /// The combination y of rows that comes nearest to `cables`, A y ≈ c; `cables` is used up.
+    /// Writes the combination y of rows that is nearest to `cables`, A y ≈ c; `cables` is used up.
     pub(super) fn write_combination(&self, cables: &mut [Block], y: &mut [f64]) {
         match self.dof {
             2 if self.is_fixed => return dispatch_narrow(self.combination::<2>(&cables[0], y)),
@@ -288,7 +289,7 @@ impl Balance {
         }
     }
 
-    /// The combination y of rows that vanishes, Aᵀ's part, but not its load: yᵀ w < 0.
+    /// Writes the combination y of rows for which A y = 0 but yᵀ w < 0.
     pub(super) fn write_contradiction(&self, unreachable: Unreachable, y: &mut [f64]) {
         let place = unreachable.place;
         let sign = -unreachable.residual.signum();
@@ -300,7 +301,7 @@ impl Balance {
         y[row] = sign * self.row_scales[row];
     }
 
-    /// y = R⁻¹ right, for the rows as the caller numbers and scales them.
+    /// Writes y = R⁻¹ right, in the caller's order and scale of the rows.
     fn write_back_substituted(&self, right: &[f64], y: &mut [f64]) {
         let (dof, rank) = (self.dof, self.rank);
         for place in (0..rank).rev() {

@@ -1,11 +1,11 @@
-//! Vectors over cables in blocks of eight, filled up with zeros, so that the compiler puts them into vector registers.
+//! Vectors over cables in blocks of eight, padded with zeros, so that the compiler puts them into vector registers.
 
 use crate::scalar::LANES;
 
 /// Eight numbers that are computed together.
 pub(in crate::tension) type Block = [f64; LANES];
 
-/// Ones where block k keeps its entries: from lane k on.
+/// Masks of a block: mask k has zeros before lane k and ones from there on.
 pub(super) const KEEP: [Block; LANES + 1] = {
     let mut rows = [[0.0; LANES]; LANES + 1];
     let mut k = 0;
@@ -61,7 +61,7 @@ pub(super) fn rotate(a: &mut [Block], b: &mut [Block], [cos, sin]: [f64; 2]) {
     }
 }
 
-/// Copies numbers to the front and fills the rest with zeros.
+/// Copies numbers to the front and fills the remaining entries with zeros.
 pub(super) fn fill(target: &mut [Block], source: impl Iterator<Item = f64>) {
     target.fill([0.0; LANES]);
     for (target, source) in target.as_flattened_mut().iter_mut().zip(source) {

@@ -1,4 +1,4 @@
-//! Limits that a search holds, and how it ends.
+//! Active limits of a search, and the ways in which it ends.
 
 use crate::tension::Limits;
 
@@ -15,20 +15,20 @@ impl Bound {
         if self.sign > 0.0 { limits.minimum()[self.cable] } else { limits.maximum()[self.cable] }
     }
 
-    /// By how much a tension breaks the limit; below zero where it keeps it (N).
+    /// Amount by which a tension misses the limit (N); below zero if it keeps it.
     #[inline]
     pub(super) fn missed(self, tension: f64, limits: &Limits) -> f64 {
         self.sign * (self.limit(limits) - tension)
     }
 }
 
-/// How the search ended.
+/// Outcome of the search.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum BoundEnd {
-    /// The optimum.
+    /// The optimum was found.
     Optimum,
-    /// This limit contradicts active ones; the weights of the latter are in `weights`.
+    /// This limit contradicts the active ones, with the combination in `weights`.
     Contradiction(Bound),
-    /// So many steps, or so large ones, that rounding or overflow must be at work.
+    /// So many or so large steps that rounding or overflow must be the reason.
     TooLong,
 }

@@ -13,24 +13,24 @@ use crate::tension::Limits;
 pub struct Certificate {
     /// y, one entry per row of the structure matrix.
     pub direction: Vec<f64>,
-    /// c = A y per cable, the largest by amount 1; zero for cables that do not matter. Rounding alone when no cable acts in
-    /// the direction at all (lost rank); then the largest entry of y is 1.
+    /// c = A y per cable, the largest by amount 1; zero for cables that do not take part. Only rounding if no cable
+    /// acts in the direction at all (lost rank); then the largest entry of y is 1.
     pub weights: Vec<f64>,
-    /// −yᵀ w: what equilibrium asks of Σ cᵢ fᵢ (N).
+    /// −yᵀ w: the value of Σ cᵢ fᵢ in equilibrium (N).
     #[serde(rename = "required_N")]
     pub required: f64,
-    /// The largest Σ cᵢ fᵢ within limits (N), less than required.
+    /// The largest Σ cᵢ fᵢ within limits (N), less than `required`.
     #[serde(rename = "reachable_N")]
     pub reachable: f64,
-    /// The limit at which each cable gives most (N).
+    /// The limit at which each cable contributes most to Σ cᵢ fᵢ (N).
     #[serde(skip)]
     pub(super) best: Vec<f64>,
-    /// True when no cable acts in the direction.
+    /// True if no cable acts in the direction.
     #[serde(skip)]
     pub(super) is_unresisted: bool,
 }
 
-/// Part of the largest weight that is rounding.
+/// Fraction of the largest weight that is rounding.
 pub(super) const ROUNDING: f64 = 1e-9;
 
 impl Certificate {
@@ -45,7 +45,7 @@ impl Certificate {
         }
     }
 
-    /// Takes over another certificate of the same size, without claiming memory.
+    /// Copies another certificate of the same size, without claiming memory.
     pub(in crate::tension) fn copy_from(&mut self, other: &Self) {
         self.direction.copy_from_slice(&other.direction);
         self.weights.copy_from_slice(&other.weights);
@@ -53,7 +53,7 @@ impl Certificate {
         (self.required, self.reachable, self.is_unresisted) = (other.required, other.reachable, other.is_unresisted);
     }
 
-    /// Computes everything else from the direction. Whether any cable acts in it is asked only where rank may be lost.
+    /// Computes all other fields from the direction. Checks whether any cable acts in it only if the rank is not full.
     pub(super) fn complete(&mut self, matrix: &DMatrix<f64>, wrench: &[f64], limits: &Limits, has_full_rank: bool) {
         match self.direction.len() {
             2 => self.weigh::<2>(matrix.as_slice()),
@@ -77,7 +77,7 @@ impl Certificate {
         }
     }
 
-    /// c = A y, for a number of rows that the compiler knows.
+    /// c = A y, for a number of rows known to the compiler.
     fn weigh<const N: usize>(&mut self, structure_matrix: &[f64]) {
         let mut y = [0.0; N];
         y.copy_from_slice(&self.direction);
@@ -90,18 +90,18 @@ impl Certificate {
         }
     }
 
-    /// The largest term of the sums in c = A y: what their rounding is measured against.
+    /// The largest term of the sums in c = A y, to which their rounding is relative.
     fn largest_term(&self, structure_matrix: &DMatrix<f64>) -> f64 {
         let rows = structure_matrix.row_iter().zip(&self.direction);
         rows.map(|(row, y)| row.amax() * y.abs()).fold(0.0, f64::max)
     }
 
-    /// True when its own numbers show it: false where they have overflowed, or rounding is all that tells them apart.
+    /// True if its own numbers are finite and `reachable` is below `required`.
     pub(super) fn holds(&self) -> bool {
         self.reachable < self.required && self.required.is_finite() && self.reachable.is_finite()
     }
 
-    /// Checks the proof from scratch: true when it shows that the load cannot be balanced within the limits.
+    /// Checks the proof from scratch: true if it shows that the load cannot be balanced within the limits.
     pub fn proves(&self, structure_matrix: &DMatrix<f64>, wrench: &[f64], limits: &Limits) -> bool {
         let (dof, cables) = structure_matrix.shape();
         if (dof, cables) != (self.direction.len(), limits.cable_count()) || wrench.len() != dof {

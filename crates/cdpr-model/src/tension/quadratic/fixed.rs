@@ -1,17 +1,17 @@
-//! The balance of robots with up to eight cables and full rank: everything in the registers of one vector unit.
+//! The balance of robots with up to eight cables and full rank, in the registers of one vector unit.
 //!
-//! The same Householder factors as in [`super::balance`], for a number of rows that the compiler knows.
+//! The same Householder factors as in [`super::balance`], for a number of rows known to the compiler.
 
 use super::block::{Block, KEEP, UNIT};
 use crate::scalar::{Kernel, LANES, Lanes};
 use crate::tension::limits::LARGEST;
 
-/// Below this length (rows have length 1) what a row adds to the rows before it is rounding: the rank is lost.
+/// Remaining length of a row (rows have length 1) below which it depends on the rows before it: the rank is lost.
 pub(super) const LOST: f64 = 1e-12;
-/// Above this length the rank is certain without looking for the best order of the rows.
+/// Remaining length above which the rank is certain without a search for the best order of the rows.
 pub(super) const CERTAIN: f64 = 1e-5;
 
-/// The factors and solutions of one problem with N rows, written where the general way would write them.
+/// The factors and solutions of one problem with N rows, in the same places as those of the general code.
 pub(super) struct Solutions<'a, const N: usize> {
     /// N × m, by columns.
     pub(super) structure_matrix: &'a [f64],
@@ -27,7 +27,7 @@ pub(super) struct Solutions<'a, const N: usize> {
 }
 
 impl<const N: usize> Kernel for Solutions<'_, N> {
-    /// False where the general way must look: lost rank, numbers that are not finite.
+    /// False if the general code is needed: lost rank, or numbers that are not finite.
     type Output = bool;
 
     #[inline(always)]
@@ -35,7 +35,7 @@ impl<const N: usize> Kernel for Solutions<'_, N> {
         let Some((mut rows, scales)) = self.rows(lanes) else { return false };
         let mut reflectors = [lanes.constant(0.0); N];
         let mut factors = [0.0; N];
-        // w, then what R leaves of it
+        // w, then its residual after the columns of R
         let mut residual = [0.0; N];
         let mut y = [0.0; LANES];
         let mut size = 0.0;
@@ -100,7 +100,7 @@ impl<const N: usize> Kernel for Solutions<'_, N> {
 }
 
 impl<const N: usize> Solutions<'_, N> {
-    /// The rows with length 1, and what they were multiplied by.
+    /// The rows scaled to length 1, and their scale factors; `None` if a row is too short or not finite.
     #[inline(always)]
     fn rows<L: Lanes>(&self, lanes: L) -> Option<([L; N], [f64; LANES])> {
         let mut transposed = [[0.0; LANES]; N];
@@ -139,7 +139,8 @@ impl<const N: usize> Solutions<'_, N> {
     }
 }
 
-/// The combination y of N rows with A y = c, from their factors: what [`super::balance::Balance::write_combination`] computes.
+/// The combination y of N rows with A y = c, from their factors: the same as
+/// [`super::balance::Balance::write_combination`] computes.
 pub(super) struct Combination<'a, const N: usize> {
     /// c, one entry per cable.
     pub(super) cables: &'a Block,

@@ -1,10 +1,10 @@
 //! The exact quadratic programme: min ‖f − f_ref‖² such that Aᵀ f + w = 0 and f_min ≤ f ≤ f_max.
 //!
 //! The unknowns are reduced to the null space of Aᵀ by orthogonal factors, and a dual active set finds the optimum in
-//! finitely many steps, or a certificate that there is none: a direction y in which the load asks for more than the cables
-//! can give within their limits. Any number of cables will do, fewer than degrees of freedom too, and so will structure
-//! matrices without full rank: the load must then lie in their range, to 1e-9 of load and tensions (rows compared after
-//! division by their length).
+//! finitely many steps, or a certificate that there is none: a direction y in which the load asks for more than the
+//! cables can give within their limits. Any number of cables is possible, also fewer than degrees of freedom, and so
+//! are structure matrices without full rank: the load must then lie in their range, to 1e-9 of load and tensions (rows
+//! compared after division by their length).
 
 mod active_set;
 pub(super) mod balance;
@@ -27,7 +27,7 @@ use serde::Serialize;
 use super::Limits;
 use super::error::{InputError, check_sizes};
 
-/// Why there is no verdict.
+/// Reason of a status without verdict.
 pub(super) const UNDECIDED: &str =
     "rounding errors are too large for a verdict: anchors, load or limits differ by too many orders of magnitude";
 
@@ -38,35 +38,37 @@ pub(super) const UNDECIDED: &str =
 pub enum Status {
     /// The tensions balance the load, keep their limits, and are the nearest to the reference that do.
     Feasible,
-    /// No tensions balance the load and keep the limits: see [`Distribution::certificate`] and [`Distribution::reason`].
+    /// No tensions balance the load and keep the limits, see [`Distribution::certificate`] and
+    /// [`Distribution::reason`].
     Infeasible,
-    /// Rounding or overflow kept the search from a verdict: matrices with entries at the ends of their range.
+    /// Rounding or overflow prevented a verdict: matrices with entries at the ends of their range.
     Undecided,
 }
 
-/// Tensions, or why there are none.
+/// Tensions, or the reason that there are none.
 #[must_use = "check `status` before using the tensions"]
 #[derive(Clone, Debug)]
 pub struct Distribution {
     /// Whether the limits can be kept.
     pub status: Status,
-    /// Tension per cable (N), within the limits. When infeasible not for use: they balance what they can of the load and
-    /// break limits.
+    /// Tension per cable (N), within the limits. Not for use if infeasible: they balance as much of the load as
+    /// possible and miss limits.
     pub tensions: Vec<f64>,
-    /// Aᵀ f + w (N, N·m): rounding when feasible.
+    /// Aᵀ f + w, one entry per row (N, N·m): rounding if feasible.
     pub wrench_residual: Vec<f64>,
-    /// Limits that were added or exchanged on the way.
+    /// Number of limits that were added or exchanged.
     pub iterations: u32,
     certificate: Certificate,
 }
 
 impl Distribution {
-    /// The proof of infeasibility, for checking by other means.
+    /// The proof of infeasibility, for checking by other means; `None` unless infeasible.
     pub fn certificate(&self) -> Option<&Certificate> {
         (self.status == Status::Infeasible).then_some(&self.certificate)
     }
 
-    /// Why there are no tensions: which cables would have to give how much, and what their limits allow.
+    /// The reason that there are no tensions: the force that cables would have to give, and the one that their limits
+    /// allow. `None` if feasible.
     pub fn reason(&self) -> Option<String> {
         match self.status {
             Status::Feasible => None,
@@ -78,8 +80,8 @@ impl Distribution {
 
 /// A solver that keeps its memory and starts from the limits that were active last time.
 ///
-/// The optimum is unique, so that the start changes the result by rounding only; [`Solver::forget`] makes it the same to
-/// the last bit.
+/// The optimum is unique, so that the start changes the result by rounding only; after [`Solver::forget`] it is the
+/// same to the last bit.
 #[derive(Clone, Debug)]
 pub struct Solver {
     dof: usize,
@@ -88,7 +90,7 @@ pub struct Solver {
     distribution: Distribution,
 }
 
-/// One distribution; see [`Solver`] for many.
+/// Solves one distribution; see [`Solver`] for many.
 pub fn solve(
     structure_matrix: &DMatrix<f64>,
     wrench: &[f64],
@@ -102,7 +104,7 @@ pub fn solve(
 }
 
 impl Solver {
-    /// A solver for this many cables and degrees of freedom: all memory is claimed here.
+    /// A solver for this many cables and degrees of freedom; it claims all memory here.
     pub fn new(cable_count: usize, dof: usize) -> Self {
         Self {
             dof,
@@ -123,7 +125,8 @@ impl Solver {
         self.search.forget();
     }
 
-    /// The tensions nearest to `reference` (by default the middle of the limits) that balance the wrench within limits.
+    /// Returns the tensions nearest to `reference` (N, by default the middle of the limits) that balance the wrench
+    /// within limits.
     ///
     /// The wrench has one component per row of the structure matrix (N, N·m).
     pub fn solve(
@@ -175,7 +178,7 @@ impl Solver {
         check_sizes(structure_matrix, wrench, limits, reference)
     }
 
-    /// Tensions, residual and certificate of the end of the search; no verdict where one of them has overflowed.
+    /// Writes tensions, residual and certificate at the end of the search; undecided if one of them has overflowed.
     fn conclude(&mut self, structure_matrix: &DMatrix<f64>, wrench: &[f64], limits: &Limits) {
         let Distribution { status, tensions, wrench_residual, iterations, certificate } = &mut self.distribution;
         *iterations = self.search.iterations;
@@ -213,7 +216,7 @@ impl Solver {
     }
 }
 
-/// Aᵀ f + w, for a number of rows that the compiler knows.
+/// Writes Aᵀ f + w, for a number of rows known to the compiler.
 fn write_residual<const N: usize>(structure_matrix: &[f64], wrench: &[f64], tensions: &[f64], residual: &mut [f64]) {
     let mut sum = [0.0; N];
     sum.copy_from_slice(wrench);

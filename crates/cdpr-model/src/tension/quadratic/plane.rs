@@ -1,36 +1,38 @@
-//! The search of [`super::active_set`] for up to eight cables with one or two more than degrees of freedom: in the plane of
-//! the coordinates λ at most two limits are active, so that there is nothing to factorise and all fits into registers.
+//! The search of [`super::active_set`] for up to eight cables with one or two more than degrees of freedom: in the
+//! plane of the coordinates λ at most two limits are active, so that no factorisation is needed and all numbers fit
+//! into registers.
 //!
-//! The rules are the same: the limit that is missed most is added, one whose multiplier vanishes on the way makes room.
+//! The rules are the same: the limit that is missed most is added, and an active one is removed when its multiplier
+//! reaches zero.
 
 use super::block::Block;
 use super::bound::{Bound, BoundEnd};
 use crate::scalar::{Kernel, LANES, Lanes};
 use crate::tension::Limits;
 
-/// A search, and where its end is written.
+/// A search, and references to the places of its result.
 pub(super) struct Plane<'a> {
     /// The null space (one or two columns) and after it a solution.
     pub(super) basis: &'a [Block],
     pub(super) minimum: &'a Block,
     pub(super) maximum: &'a Block,
-    /// Point that is to be near.
+    /// Tensions to be near to.
     pub(super) reference: &'a Block,
     pub(super) limits: &'a Limits,
-    /// Limits to start from, then those of the end.
+    /// Limits to start from; at the end the active limits.
     pub(super) active: &'a mut Vec<Bound>,
     pub(super) weights: &'a mut [f64],
     pub(super) point: &'a mut Block,
     pub(super) iterations: &'a mut u32,
 }
 
-/// Squared length that is zero for a row of an orthonormal basis, whatever the limits.
+/// Squared length below which a row of an orthonormal basis is zero, for any limits.
 pub(super) const ZERO: f64 = 1e-30;
-/// Squared length below which the limits decide whether it is zero.
+/// Squared length below which the diameter of the limits decides whether it is zero.
 pub(super) const SMALL: f64 = 1e-16;
 /// Weight below which a multiplier does not fall.
 pub(super) const NO_WEIGHT: f64 = 1e-12;
-/// Squared length below which a limit depends on those that were active last time: it is left to the search.
+/// Squared length below which a limit depends on the other active ones of the last search, and is not resumed.
 pub(super) const DEPENDENT: f64 = 1e-8;
 
 type Pair = [f64; 2];
@@ -43,7 +45,7 @@ fn cross(a: Pair, b: Pair) -> f64 {
     a[0] * b[1] - a[1] * b[0]
 }
 
-/// Active limits, their normals in λ, their multipliers, and the point they lead to.
+/// Active limits, their normals in λ, their multipliers, and the point that meets them.
 struct State<'a> {
     columns: [&'a Block; 2],
     start: Pair,
@@ -108,7 +110,7 @@ fn tensions<L: Lanes>(lanes: L, [first, second, solution]: &[L; 3], lambda: Pair
     *solution + lanes.constant(lambda[0]) * *first + lanes.constant(lambda[1]) * *second
 }
 
-/// Choices without branches: which limit it is cannot be foreseen.
+/// The limit missed most. Chosen without branches, since a processor cannot predict which one it is.
 #[inline]
 fn most_missed(below: &Block, above: &Block, tolerance: f64) -> Option<Bound> {
     let (mut worst, mut worst_cable) = (tolerance, LANES);
@@ -160,7 +162,8 @@ impl<'a> State<'a> {
         self.count -= 1;
     }
 
-    /// The part of a normal that active limits leave free, and their weights in the rest of it.
+    /// Returns the part of a normal that is orthogonal to the active ones, and writes their weights in the remaining
+    /// part.
     #[inline]
     fn free(&mut self, normal: Pair) -> Pair {
         match self.count {
@@ -169,7 +172,7 @@ impl<'a> State<'a> {
                 let active = self.normals[0];
                 let square = dot(active, active);
                 self.weights[0] = dot(normal, active) / square;
-                // across the active normal, without the difference of almost equal numbers
+                // the component orthogonal to the active normal, without the difference of almost equal numbers
                 let across = cross(active, normal) / square;
                 [-across * active[1], across * active[0]]
             }
@@ -182,7 +185,7 @@ impl<'a> State<'a> {
         }
     }
 
-    /// Moves to the nearest point that meets this limit too, exchanging active ones where they are in the way.
+    /// Moves to the nearest point that also meets this limit; active limits whose multiplier reaches zero are removed.
     #[inline(always)]
     fn add(&mut self, bound: Bound, missed: f64, limits: &Limits) -> Option<BoundEnd> {
         let normal = self.normal(bound);
@@ -194,7 +197,8 @@ impl<'a> State<'a> {
             }
             let step = self.free(normal);
             let free = dot(step, step);
-            // no allowed tensions are further away than the diameter: a limit that asks for more cannot be met this way
+            // no allowed tensions are further away than the diameter: a limit that needs a longer step cannot be met
+            // this way
             let is_open = free > SMALL || (free > ZERO && missed < 4.0 * free.sqrt() * limits.diameter());
             let whole = if is_open { missed / free } else { f64::INFINITY };
             let (mut part, mut blocking) = (f64::INFINITY, None);
@@ -206,7 +210,7 @@ impl<'a> State<'a> {
             }
             let length = whole.min(part);
             if length.is_infinite() {
-                // nothing makes room, or what would has overflowed
+                // no active limit can be removed, or the multiplier of one has overflowed
                 return Some(if blocking.is_none() { BoundEnd::Contradiction(bound) } else { BoundEnd::TooLong });
             }
             self.lambda = [self.lambda[0] + length * step[0], self.lambda[1] + length * step[1]];
@@ -225,7 +229,8 @@ impl<'a> State<'a> {
         }
     }
 
-    /// Starts from limits that were active before, less those that push the wrong way; `nearest` is the point without limits.
+    /// Starts from limits that were active before, without those that depend on others or have a negative multiplier;
+    /// `nearest` is the point without limits.
     #[inline]
     fn resume(&mut self, known: &[Bound], nearest: &Block, limits: &Limits) {
         for &bound in known.iter().take(2) {
@@ -247,7 +252,7 @@ impl<'a> State<'a> {
         self.lambda = self.start;
     }
 
-    /// The nearest point that meets the active limits, and their multipliers.
+    /// Moves to the nearest point that meets the active limits, and writes their multipliers.
     #[inline]
     fn meet_all(&mut self, nearest: &Block, limits: &Limits) {
         let missed = |bound: Bound| bound.missed(nearest[bound.cable], limits);

@@ -1,4 +1,4 @@
-//! Laws of the distribution; the comparison with another solver is in `tests/library/tension_oracle.rs`.
+//! Properties of the distribution; the comparison with another solver is in `tests/library/tension_oracle.rs`.
 
 use nalgebra::{DMatrix, DVector};
 use rand::{RngExt, SeedableRng};
@@ -41,7 +41,7 @@ fn the_tensions_of_a_tug_of_war_are_those_done_by_hand() {
     assert_eq!(found.status, Status::Feasible);
     assert!((found.tensions[0] - 3250.0).abs() < 1e-9 && (found.tensions[1] - 2250.0).abs() < 1e-9);
     assert!(found.reason().is_none() && found.certificate().is_none());
-    // at the upper limit of cable 1 the other one follows
+    // at the upper limit of cable 1 cable 2 follows
     let far = solve(&tug_of_war(), &[-3000.0], &limits(2), None).unwrap();
     assert!((far.tensions[0] - 4250.0).abs() < 1e-9 && (far.tensions[1] - 1250.0).abs() < 1e-9);
 }
@@ -95,8 +95,8 @@ fn a_load_outside_the_range_of_the_cables_is_infeasible_and_told() {
     assert!(reason.contains("[0.000, 1.000]") && reason.contains("981 N"), "{reason}");
 }
 
-/// Optimality by itself: balance, limits, and f − f_ref = A y + Σ multipliers of the right sign at limits (Karush, Kuhn,
-/// Tucker), found by projecting on the rows and the limits that are met.
+/// Optimality: balance, limits, and f − f_ref = A y + Σ multipliers of the right sign at limits (Karush, Kuhn, Tucker),
+/// checked by projection on the rows and the limits that are met.
 #[test]
 fn every_verdict_proves_itself() {
     let mut rng = ChaCha8Rng::seed_from_u64(31);
@@ -134,7 +134,7 @@ fn the_result_does_not_depend_on_what_was_solved_before() {
             assert_eq!(warm.status, cold.status, "case {case}, step {step}");
             if cold.status == Status::Feasible {
                 let apart = warm.tensions.iter().zip(&cold.tensions).map(|(a, b)| (a - b).abs()).fold(0.0, f64::max);
-                // both stand within the tolerance of 1e-7 N of the limits, seen through the condition of the active rows
+                // both are within the tolerance of 1e-7 N of the limits, times the condition of the active rows
                 assert!(apart < 1e-5, "case {case}, step {step}: {apart:e} N");
             }
         }
@@ -165,7 +165,7 @@ fn units_of_rows_and_forces_do_not_matter() {
     }
 }
 
-/// Anchors that coincide make equal rows in the null space: ties everywhere, and still an end.
+/// Anchors that coincide make equal rows in the null space: ties everywhere, and the search still ends.
 #[test]
 fn ties_do_not_cycle() {
     let count = 16;
@@ -200,7 +200,7 @@ fn what_cannot_be_calculated_with_is_refused() {
     assert!(matches!(Limits::new(vec![0.0], vec![1.0, 2.0]), Err(LimitsError::Count { .. })));
 }
 
-/// The vector unit depends on the machine; results may not.
+/// The vector unit depends on the machine; results must not.
 #[test]
 fn the_fixed_size_balance_gives_the_same_bits_on_every_unit() {
     let mut rng = ChaCha8Rng::seed_from_u64(34);
@@ -229,7 +229,7 @@ fn the_fixed_size_balance_gives_the_same_bits_on_every_unit() {
     }
 }
 
-/// Numbers as usual, of any size that a double has, or none at all.
+/// Usual numbers, numbers of any size that a double has, and no numbers.
 fn extreme(rng: &mut ChaCha8Rng) -> f64 {
     match rng.random_range(0..10) {
         0..=5 => rng.random_range(-10.0..10.0),
@@ -239,7 +239,7 @@ fn extreme(rng: &mut ChaCha8Rng) -> f64 {
     }
 }
 
-/// Inner overflow ends in "undecided" with words, not in a panic or in tensions that nobody can use.
+/// Overflow ends in "undecided" with a reason, not in a panic or in unusable tensions.
 #[test]
 fn extreme_numbers_are_refused_or_end_in_a_status_that_is_true() {
     let mut counts = [0; 4];
@@ -283,7 +283,8 @@ fn extreme_numbers_are_refused_or_end_in_a_status_that_is_true() {
     assert!(counts[0] > 1000 && counts[1] > 1000, "{counts:?}");
 }
 
-/// The work of the centroid grows by a factor of about twenty per degree of redundancy: it ends with words, not after minutes.
+/// The work of the centroid grows by a factor of about twenty per degree of redundancy: it ends with a reason, not
+/// after minutes.
 #[test]
 fn a_set_of_too_many_dimensions_has_no_centroid_in_words() {
     let mut rng = ChaCha8Rng::seed_from_u64(36);

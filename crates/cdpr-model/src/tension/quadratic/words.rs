@@ -1,4 +1,4 @@
-//! A certificate told in words.
+//! A certificate in words.
 
 use std::fmt;
 
@@ -11,9 +11,10 @@ impl fmt::Display for Certificate {
 }
 
 impl Certificate {
-    /// Tensions that balance asks of cables against those that their limits allow (N); a sentence part without a full stop.
+    /// Tensions that balance requires of cables and those that their limits allow (N); part of a sentence, without a
+    /// full stop.
     ///
-    /// In Σ cᵢ fᵢ = required the cables with c < 0 stand at their least tension, so that the others have least to do.
+    /// In Σ cᵢ fᵢ = required the cables with c < 0 stand at their least tension, so that the others need the least.
     fn sentence(&self) -> String {
         if self.is_unresisted {
             return self.words_without_cables();
@@ -43,7 +44,7 @@ impl Certificate {
         }
     }
 
-    /// Cables that would have to pull less than their least tension.
+    /// States that cables would have to pull less than their least tension.
     fn words_of_takers(&self, takers: &[usize], least: f64) -> String {
         let heaviest = self.heaviest(takers);
         let most = -self.required / heaviest;
@@ -63,7 +64,7 @@ impl Certificate {
         cables.iter().fold(0.0, |most, &cable| most.max(self.weights[cable].abs()))
     }
 
-    /// How the cables of a sum are counted, unless all count the same.
+    /// Weights of the cables in a sum, in words; empty if all are equal.
     fn counted(&self, summed: &[usize]) -> String {
         let heaviest = self.heaviest(summed);
         let weight = |cable: usize| self.weights[cable].abs() / heaviest;
@@ -94,13 +95,13 @@ fn cables(indices: &[usize]) -> String {
     }
 }
 
-/// Two forces with as many digits as it takes to see the difference.
+/// Two forces with as many digits as needed to tell them apart.
 fn told_apart(a: f64, b: f64) -> [String; 2] {
     let digits = (3..=12).find(|&digits| newtons(a, digits) != newtons(b, digits)).unwrap_or(12);
     [newtons(a, digits), newtons(b, digits)]
 }
 
-/// A force with this many significant digits, from 1000 N in kilonewtons, as a power of ten from 10¹⁵ N.
+/// A force with this many significant digits: in kilonewtons from 1000 N on, as a power of ten from 10¹⁵ N on.
 fn newtons(force: f64, digits: usize) -> String {
     let (value, unit) = if force.abs() >= 999.5 { (force / 1e3, "kN") } else { (force, "N") };
     if !(value.abs() < 1e12) {

@@ -1,16 +1,16 @@
 //! The derivative of the centroid of all allowed tensions.
 //!
-//! In coordinates λ around the centroid c the balanced tensions are f = c + H λ. A change of matrix and load moves them by
-//! δ(λ) = −A⁺ᵀ (dAᵀ f + dw) at fixed λ, which is affine: the centroid moves along with δ(0). Within these coordinates the facets of the
-//! limits move outwards with the speed ∓δᵢ/‖Hᵢ‖, and V dc = Σ ∫ λ · speed over all facets: moments of facets up to the second, by
-//! the same recursion as the volume (Lasserre 1983).
+//! In coordinates λ around the centroid c the balanced tensions are f = c + H λ. A change of matrix and load moves them
+//! by δ(λ) = −A⁺ᵀ (dAᵀ f + dw) at fixed λ, which is affine: the centroid moves along with δ(0). Within these
+//! coordinates the facets of the limits move outwards with the speed ∓δᵢ/‖Hᵢ‖, and V dc = Σ ∫ λ · speed over all
+//! facets: moments of facets up to the second, by the same recursion as the volume (Lasserre 1983).
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::tension::distribute::Derivative;
 use crate::tension::{Limits, null_space};
 
-/// Distances below this, in units of the whole set, are rounding.
+/// Distances below this, relative to the size of the whole set, are rounding.
 const ROUNDING: f64 = 1e-12;
 /// Normals that differ by less than this angle are parallel.
 const PARALLEL: f64 = 1e-9;
@@ -21,10 +21,10 @@ pub(in crate::tension) struct Centroid {
     tensions: Vec<f64>,
     /// H.
     basis: DMatrix<f64>,
-    /// A⁺ᵀ: the minimum-norm tensions for a wrench, cables without a range left out.
+    /// A⁺ᵀ: the minimum-norm tensions for a wrench, without those of cables that have no range.
     minimum_norm: DMatrix<f64>,
     facets: Vec<Facet>,
-    /// In the unit's power.
+    /// Volume of the set, in powers of `unit`.
     volume: f64,
     /// Unit of λ (N).
     unit: f64,
@@ -39,7 +39,7 @@ struct Facet {
     moments: Moments,
 }
 
-/// Integrals of 1, λ and λλᵀ.
+/// Integrals of 1, λ and λλᵀ over a set.
 #[derive(Clone, Debug)]
 struct Moments {
     volume: f64,
@@ -55,7 +55,7 @@ struct HalfSpace {
 }
 
 impl Centroid {
-    /// `None` where the set has no volume.
+    /// Computes the moments; `None` if the set has no volume.
     pub(in crate::tension) fn of(matrix: &DMatrix<f64>, limits: &Limits, tensions: &[f64]) -> Option<Self> {
         let is_fixed = |cable: &usize| limits.maximum()[*cable] - limits.minimum()[*cable] <= limits.tolerance();
         let fixed: Vec<usize> = (0..tensions.len()).filter(is_fixed).collect();
@@ -84,7 +84,7 @@ impl Centroid {
             volume += half_spaces[index].offset * moments.volume / dimension as f64;
             facets.push(Facet { cable, side, moments });
         }
-        // a set of hardly any volume has a centroid of rounding errors
+        // the centroid of a set of almost no volume consists of rounding errors
         let is_thick = volume > ROUNDING;
         is_thick.then(|| Self { tensions: tensions.to_vec(), basis, minimum_norm, facets, volume, unit })
     }
@@ -115,7 +115,7 @@ impl Derivative for Centroid {
 fn moments(half_spaces: &[HalfSpace], dimension: usize) -> Moments {
     let mut sum = Moments::zero(dimension);
     for index in 0..half_spaces.len() {
-        // a homogeneous function of degree k over cones from the origin
+        // the integral of a homogeneous function of degree k, as a sum over cones from the origin
         if let Some(part) = facet(half_spaces, index) {
             let (offset, d) = (half_spaces[index].offset, dimension as f64);
             sum.volume += part.volume * offset / d;
@@ -126,8 +126,8 @@ fn moments(half_spaces: &[HalfSpace], dimension: usize) -> Moments {
     sum
 }
 
-/// Moments of the facet on one of the planes, in the coordinates of the polytope; `None` where it is empty, or the same as an
-/// earlier one.
+/// Moments of the facet on one of the planes, in the coordinates of the polytope; `None` if it is empty, or the same as
+/// an earlier one.
 fn facet(half_spaces: &[HalfSpace], index: usize) -> Option<Moments> {
     let HalfSpace { normal, offset } = &half_spaces[index];
     let dimension = normal.len();
@@ -167,7 +167,7 @@ fn facet(half_spaces: &[HalfSpace], index: usize) -> Option<Moments> {
     })
 }
 
-/// Orthonormal columns at right angles to a normal: a reflection takes the last axis to it.
+/// Orthonormal columns at right angles to a normal, by a reflection that takes the last axis to it.
 fn beside(normal: &DVector<f64>) -> DMatrix<f64> {
     let dimension = normal.len();
     let head = normal[dimension - 1];

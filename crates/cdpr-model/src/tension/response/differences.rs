@@ -1,15 +1,15 @@
-//! The derivative of a method that has none of its own: central differences of its solve.
+//! The derivative of a method that has none in closed form: central differences of its tensions.
 //!
-//! Entries of the structure matrix, load and reference are moved one by one, and the method is asked anew on both sides. It has to
-//! find tensions there, so that an answer at the edge of what is feasible has no such derivative.
+//! Entries of the structure matrix, load and reference are moved one by one, and the method solves the problem on both
+//! sides. It has to find tensions there, so that tensions at the edge of the feasible loads have no such derivative.
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::tension::distribute::{Chosen, Derivative, NoDerivative, Status};
 use crate::tension::{Method, Options, Reference, Solver};
 
-/// Step of an entry of the structure matrix, and of load and reference as a part of the largest limit. Rounding of the solves, 1e-10 of
-/// the largest limit, stays below 1e-5 of a derivative.
+/// Step of an entry of the structure matrix, and of load and reference as a fraction of the largest limit. Rounding of
+/// the solves, 1e-10 of the largest limit, stays below 1e-5 of a derivative.
 const STEP: f64 = 1e-5;
 
 /// Derivatives by every number of a problem (N per unit).
@@ -58,7 +58,7 @@ impl Differences {
     }
 }
 
-/// A problem beside the one that was solved.
+/// A problem near the one that was solved.
 struct Point {
     matrix: DMatrix<f64>,
     wrench: Vec<f64>,

@@ -1,18 +1,19 @@
-//! How chosen tensions follow structure matrix and load: the derivatives of every method.
+//! Derivatives of the chosen tensions by structure matrix, load and reference, for every method.
 //!
-//! Most methods take an optimum: min Σ φᵢ(fᵢ) with Aᵀ f + w = 0 and cables on limits that stay there (`optimum`). What differs is φ,
-//! and which cables are on a limit; each method says so in its file (`Distribute::derivative`):
+//! Most methods minimize Σ φᵢ(fᵢ) with Aᵀ f + w = 0, and cables on limits stay there (`optimum`). They differ in φ and
+//! in the cables that are on a limit; each method states its own in its file (`Distribute::derivative`):
 //!
-//! * `qp`, `nearest-wrench` where the load can be balanced, `dykstra` and `improved-closed-form`: ½ (f − f_m)², the active limits of the
-//!   answer; `closed-form` without limits; `minimum` ½ f², `maximum` ½ (f_max − f)², both with p = 2.
+//! * `qp`, `nearest-wrench` if the load can be balanced, `dykstra` and `improved-closed-form`: ½ (f − f_m)², the active
+//!   limits of the answer; `closed-form` without limits; `minimum` ½ f², `maximum` ½ (f_max − f)², both with p = 2.
 //! * `smooth` with p = 2: ½ ((f − f_m)/α)² − c log (f − f_min)(f_max − f), no limit is active.
 //! * `barrier`: −log (f − f_min) − log (f_max − f), no limit is active.
 //!
-//! `puncture` follows both ends of its way and the cable that stands at its limit there, `centroid` the moving facets of the set of
-//! allowed tensions (`centroid`). A method without a derivative of its own is solved anew beside the problem (`differences`).
+//! `puncture` follows both ends of its segment and the cable that stands at its limit there, `centroid` the moving
+//! facets of the set of allowed tensions (`centroid`). A method without a derivative in closed form is solved again
+//! beside the problem (`differences`).
 //!
-//! **Where there is none.** All methods but `barrier`, `smooth` and `closed-form` have kinks, where a cable comes to a limit or leaves it.
-//! Exactly there the derivative is that of one side.
+//! **Kinks.** All methods but `barrier`, `smooth` and `closed-form` have kinks, where a cable comes to a limit or
+//! leaves it. Exactly there the derivative is that of one side.
 
 pub(super) mod centroid;
 mod differences;
@@ -36,14 +37,14 @@ pub struct Response {
     derivative: Arc<dyn Derivative>,
 }
 
-/// Tensions that no derivative leads away from.
+/// Reason that the chosen tensions have no derivative.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum NotSmooth {
     /// The cables between their limits cannot balance a small change.
     #[error("so many tensions are on their limits that the others cannot follow a change")]
     Pinned,
-    /// The allowed tensions leave the method nothing to choose.
+    /// The set of allowed tensions is too thin for a derivative.
     #[error(
         "the tensions that balance the load within their limits form a set too thin for a derivative of the method {method}"
     )]
@@ -51,14 +52,14 @@ pub enum NotSmooth {
         /// The method.
         method: Method,
     },
-    /// A problem that the method refuses.
+    /// The method refuses the problem.
     #[error(transparent)]
     Input(#[from] InputError),
 }
 
 impl Response {
-    /// The derivative at the tensions that a method has found for matrix, wrench and limits, the reference in the middle of the
-    /// limits.
+    /// The derivative at the tensions that a method has chosen for matrix, wrench and limits, with the reference in the
+    /// middle of the limits.
     ///
     /// ```
     /// use cdpr::nalgebra::DMatrix;
@@ -96,19 +97,20 @@ impl Response {
         Ok(Self { derivative })
     }
 
-    /// The derivative of the balanced tensions nearest to a reference (N), whatever the limits.
+    /// The derivative of the balanced tensions nearest to a reference (N), without regard to limits.
     pub fn of_nearest(structure_matrix: &DMatrix<f64>, tensions: &[f64], reference: &[f64]) -> Result<Self, NotSmooth> {
         let all = (0..tensions.len()).collect();
         let optimum = Optimum::nearest(structure_matrix, tensions, all, &|cable| reference[cable]);
         Ok(Self { derivative: Arc::new(optimum.ok_or(NotSmooth::Pinned)?) })
     }
 
-    /// Change of all tensions (N) when the column of one cable in the structure matrix and the wrench change so (rows of the matrix).
+    /// Change of all tensions (N) when one cable's column of the structure matrix and the wrench change by these
+    /// amounts (one entry per row of the matrix).
     pub fn change(&self, cable: usize, column: &[f64], wrench: &[f64]) -> DVector<f64> {
         self.derivative.change(cable, column, wrench)
     }
 
-    /// Change of all tensions (N) per newton of one cable's reference; zero for methods that are near to none.
+    /// Change of all tensions (N) per newton of one cable's reference; zero for methods without a reference.
     pub fn change_by_reference(&self, cable: usize) -> DVector<f64> {
         self.derivative.change_by_reference(cable)
     }

@@ -1,14 +1,14 @@
-//! The derivative of tensions that minimize a sum over cables.
+//! The derivative of tensions that minimize a sum of functions of one cable each.
 //!
-//! min Σ φᵢ(fᵢ) with Aᵀ f + w = 0: φ′ = A λ for every cable that is on no limit. Differentiated: φ″ df − A dλ = dA λ and
-//! Aᵀ df = −dAᵀ f − dw; a cable on its limit stays there.
+//! min Σ φᵢ(fᵢ) with Aᵀ f + w = 0: φ′ = A λ for every cable that is on no limit. Differentiated: φ″ df − A dλ = dA λ
+//! and Aᵀ df = −dAᵀ f − dw; a cable on its limit stays there.
 
 use nalgebra::{DMatrix, DVector};
 
 use crate::tension::Limits;
 use crate::tension::distribute::{Chosen, Derivative, NoDerivative, Written};
 
-/// An optimum with what its derivatives need.
+/// An optimum with the quantities that its derivatives need.
 #[derive(Clone, Debug)]
 pub(in crate::tension) struct Optimum {
     tensions: Vec<f64>,
@@ -20,11 +20,11 @@ pub(in crate::tension) struct Optimum {
     inverse: DMatrix<f64>,
 }
 
-/// Newtons of tension per newton of load beyond which balance is lost.
+/// Newtons of tension per newton of load above which the free cables count as unable to keep the balance.
 const LARGEST_GAIN: f64 = 1e9;
 
 impl Optimum {
-    /// The nearest to a reference (N); `None` where the free cables cannot balance a small change.
+    /// The balanced tensions nearest to a reference (N); `None` if the free cables cannot balance a small change.
     pub(in crate::tension) fn nearest(
         matrix: &DMatrix<f64>,
         tensions: &[f64],
@@ -34,7 +34,7 @@ impl Optimum {
         Self::of(matrix, tensions, free, &|cable| (tensions[cable] - reference(cable), 1.0))
     }
 
-    /// The analytic centre; `None` where a tension is on a limit that leaves it a range.
+    /// The analytic centre; `None` if a cable with a range has its tension on a limit.
     pub(in crate::tension) fn barrier(matrix: &DMatrix<f64>, tensions: &[f64], limits: &Limits) -> Option<Self> {
         let ends = |cable: usize| (limits.minimum()[cable], limits.maximum()[cable]);
         let has_range = |cable: &usize| ends(*cable).1 - ends(*cable).0 > limits.tolerance();
@@ -52,7 +52,7 @@ impl Optimum {
         })
     }
 
-    /// With slope and curvature of φ per cable.
+    /// The optimum for this slope and curvature of φ per cable.
     pub(in crate::tension) fn of(
         matrix: &DMatrix<f64>,
         tensions: &[f64],
@@ -74,7 +74,8 @@ impl Optimum {
             }
         }
         let inverse = system.try_inverse().filter(|inverse| inverse.rows(0, count).amax() < LARGEST_GAIN)?;
-        // the multipliers are those of the quadratic programme with the same slopes, which these tensions solve too
+        // the multipliers are those of the quadratic programme with the same slopes, whose optimum these tensions are
+        // too
         let multipliers = (&inverse * right).rows(count, n).into_owned();
         Some(Self { tensions: tensions.to_vec(), free, multipliers, inverse })
     }
@@ -87,7 +88,7 @@ impl Optimum {
     }
 }
 
-/// Derivative of the tensions nearest to a reference (N) in which some cables are free and the others stay on their limits.
+/// Derivative of the tensions nearest to a reference (N), with some cables free and the others on their limits.
 pub(in crate::tension) fn nearest(chosen: &Chosen<'_>, free: Vec<usize>, reference: &dyn Fn(usize) -> f64) -> Written {
     let optimum = Optimum::nearest(chosen.problem.structure_matrix, chosen.tensions, free, reference);
     Ok(Some(Box::new(optimum.ok_or(NoDerivative::Pinned)?)))
@@ -107,7 +108,7 @@ impl Derivative for Optimum {
         self.solved(&right)
     }
 
-    /// φ′ of the cable falls by 1.
+    /// Solves with φ′ of the cable lowered by 1.
     fn change_by_reference(&self, cable: usize) -> DVector<f64> {
         let mut right = DVector::zeros(self.inverse.nrows());
         if let Some(row) = self.free.iter().position(|&free| free == cable) {

@@ -1,4 +1,4 @@
-//! Every derivative is the central difference of the solve.
+//! Every derivative equals the central difference of the solver's tensions.
 
 use nalgebra::DMatrix;
 use rand::{RngExt, SeedableRng};
@@ -21,7 +21,7 @@ fn problem(rng: &mut ChaCha8Rng, n: usize, redundancy: usize) -> (DMatrix<f64>, 
     (matrix, wrench.as_slice().to_vec(), Limits::new(least, largest).unwrap())
 }
 
-/// Tensions, and which cables are on a limit.
+/// Tensions, and the cables that are on no limit.
 fn found(method: Method, matrix: &DMatrix<f64>, wrench: &[f64], limits: &Limits) -> Option<(Vec<f64>, Vec<usize>)> {
     let answer = solve(method, matrix, wrench, limits, &Options::default()).unwrap();
     let fraction = if method == Method::Dykstra { dykstra::ON_LIMIT } else { ON_LIMIT };
@@ -29,7 +29,7 @@ fn found(method: Method, matrix: &DMatrix<f64>, wrench: &[f64], limits: &Limits)
     (answer.status == Status::Feasible).then_some((answer.tensions, free))
 }
 
-/// Compares all changes of one problem; returns how many were compared.
+/// Compares all changes of one problem; returns the number of comparisons.
 fn compare(method: Method, matrix: &DMatrix<f64>, wrench: &[f64], limits: &Limits) -> usize {
     let Some((tensions, free)) = found(method, matrix, wrench, limits) else { return 0 };
     let Ok(response) = Response::of(method, matrix, wrench, limits, &tensions) else { return 0 };
@@ -37,7 +37,7 @@ fn compare(method: Method, matrix: &DMatrix<f64>, wrench: &[f64], limits: &Limit
     let mut compared = 0;
     for (cable, axis) in (0..m).flat_map(|cable| (0..n).map(move |axis| (cable, axis))) {
         for of_matrix in [true, false] {
-            // a newton of load, or of the pull of a cable of 500 N
+            // 5 mN of load, or 5 mN of pull of a cable of 500 N
             let h = if of_matrix { 1e-5 } else { 5e-3 };
             let at = |by: f64| {
                 let (mut matrix, mut wrench) = (matrix.clone(), wrench.to_vec());
@@ -61,7 +61,7 @@ fn compare(method: Method, matrix: &DMatrix<f64>, wrench: &[f64], limits: &Limit
             };
             let slope = (DVector::from_vec(ahead) - DVector::from_vec(behind)) / (2.0 * h);
             let apart = (&slope - &change).amax();
-            // rounding of the solves, 1e-10 of 1 kN and ten times that of the projections, and what bends
+            // rounding of the solves, 1e-10 of 1 kN and ten times that of the projections, and curvature
             let rounding = if method == Method::Dykstra { 2e-6 } else { 2e-7 };
             assert!(
                 apart < rounding / h + 1e-4 * slope.amax(),
@@ -89,7 +89,7 @@ fn every_method_follows_matrix_and_load_as_its_solve_does() {
     }
 }
 
-/// A method without a derivative of its own is not without one.
+/// A method without a derivative in closed form is differentiated by differences.
 #[test]
 fn differences_of_the_solve_are_the_derivative() {
     for method in [Method::Qp, Method::Minimum, Method::Barrier, Method::Centroid, Method::Puncture] {
@@ -113,7 +113,7 @@ fn differences_of_the_solve_are_the_derivative() {
             });
             for (change, other) in pairs.flatten() {
                 let apart = (&change - &other).amax();
-                // rounding of the solves over the step, and what bends within it
+                // rounding of the solves over the step, and curvature within it
                 assert!(apart < 1e-3 * (1.0 + change.amax()), "{method}: {apart:e} of {}", change.amax());
                 compared += 1;
             }
@@ -140,7 +140,7 @@ fn a_cable_without_a_range_stays_where_it_is() {
 
 #[test]
 fn cables_that_are_all_on_their_limits_have_no_derivative() {
-    // only the largest tension of both carries the load
+    // only the largest tensions of both cables carry the load
     let matrix = DMatrix::from_row_slice(1, 2, &[1.0, 1.0]);
     let limits = Limits::uniform(2, 100.0, 1000.0).unwrap();
     let response = |method| Response::of(method, &matrix, &[-2000.0], &limits, &[1000.0, 1000.0]);

@@ -1,4 +1,4 @@
-//! Optimum, smoothness, limits of the width, and what is said of a load that is given up.
+//! Optimum, smoothness, effect of the width, and the reason given when a part of the load is left.
 
 use nalgebra::{DMatrix, DVector};
 use rand::{RngExt, SeedableRng};
@@ -59,11 +59,11 @@ fn the_answer_is_the_least_cost_along_the_line_of_balanced_tensions() {
             let f: Vec<f64> = found.tensions.iter().zip(way.iter()).map(|(f, way)| f + part * way).collect();
             if limits.contain(&f, -1e-12) { cost(&f, &limits, &reference, &options) } else { f64::INFINITY }
         };
-        // golden section on a convex function that is infinite beyond the limits
+        // golden section for a convex function that is infinite beyond the limits
         let (mut low, mut high) = (-2000.0, 2000.0);
         for _ in 0..80 {
             let [a, b] = [0.618, 0.382].map(|part| high - part * (high - low));
-            // far out on both sides of the allowed part the nearer end to the answer is the better one
+            // outside the allowed part on both sides, the end nearer to the answer is the better one
             let (at_a, at_b) = (at(a), at(b));
             let a_is_better = if at_a.is_infinite() && at_b.is_infinite() { a.abs() < b.abs() } else { at_a < at_b };
             if a_is_better { high = b } else { low = a }
@@ -74,7 +74,7 @@ fn the_answer_is_the_least_cost_along_the_line_of_balanced_tensions() {
     }
 }
 
-/// Largest change of slope from one step of the load to the next: it goes to 0 with the step where there is no kink.
+/// Largest change of slope from one step of the load to the next: it goes to 0 with the step if there is no kink.
 fn kink(method: Method, loads: [f64; 2], step: f64) -> f64 {
     let count = ((loads[1] - loads[0]) / step) as usize;
     let found: Vec<_> = (0..count).map(|index| answer(method, loads[0] + step * index as f64).tensions).collect();
@@ -167,7 +167,7 @@ fn a_load_beyond_reach_is_given_up_without_a_kink_and_in_words() {
     let edge = 1370.0;
     let inside = answer(Method::Smooth, edge - 10.0);
     assert!(inside.status == Status::Feasible && inside.wrench_residual[0].abs() < 1e-9, "{inside:?}");
-    // qp finds the one point that is left, and a smooth answer stays away from it
+    // qp finds the only remaining point, and a smooth answer stays away from it
     let near = answer(Method::Smooth, edge - 1e-4);
     assert_eq!(near.status, Status::NotFound);
     let reason = near.reason().unwrap();
@@ -177,7 +177,7 @@ fn a_load_beyond_reach_is_given_up_without_a_kink_and_in_words() {
     assert!(beyond.has_tensions() && limits().contain(&beyond.tensions, 0.0), "{beyond:?}");
     let lacking = beyond.missing_wrench()[0].abs();
     assert!((lacking - 50.0).abs() < 1.0 && beyond.certificate().is_some(), "{lacking} N");
-    // balance is left 0.02 N before the edge, over thousandths of a newton
+    // balance is lost 0.02 N before the edge, gradually over thousandths of a newton
     let bends = [4e-4, 2e-4, 1e-4].map(|step| kink(Method::Smooth, [edge - 0.05, edge + 0.01], step));
     assert!(bends[1] < 0.6 * bends[0] && bends[2] < 0.6 * bends[1], "{bends:?}");
 }

@@ -1,4 +1,4 @@
-//! Eight plain descents of the energy side by side, with the bits of the single one.
+//! Eight plain descents of the energy side by side, with the bits of the single descent.
 
 use super::{ITERATIONS, RMS, STATUS, TENSIONS};
 use crate::equilibrium::elastostatics::balance::{Pull, TERMS, force_terms, stiffness_terms, unpack};
@@ -22,9 +22,9 @@ pub(super) struct Descents<'a> {
     pub(super) solutions: &'a mut [Line],
 }
 
-/// A residual wrench must shrink to less than this share of its square; the single descent asks for a quarter.
+/// Largest ratio of the squared residual wrench after and before a step; the single descent allows a quarter.
 const CUT: f64 = 0.2499;
-/// Stiffness that is certainly above what the single pose calls indifferent, as a share of the sum over cables.
+/// Stiffness that is certainly above the single solver's limit of indifference, as a fraction of the sum over cables.
 const STABLE: f64 = 2e-9;
 
 /// The balance at eight poses.
@@ -34,12 +34,12 @@ struct Point<L> {
     residual: [L; 6],
     /// Lower triangle.
     stiffness: [[L; 6]; 6],
-    /// Above 0 where a cable may have no path.
+    /// Above 0 if a cable may have no path.
     needs_scalar: L,
 }
 
 impl Descents<'_> {
-    /// On an available unit; compiled here, once for library and tests.
+    /// Runs on an available unit; compiled only here, for library and tests.
     #[inline(never)]
     pub(super) fn run_on(self, unit: Unit) -> [Ending; LANES] {
         dispatch_on(unit, self).unwrap_or_default()
@@ -49,7 +49,7 @@ impl Descents<'_> {
 /// Ending of a plain descent for one of eight platforms.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub(super) enum Ending {
-    /// It takes more than a plain descent.
+    /// It needs more than a plain descent.
     #[default]
     Open,
     /// A stable equilibrium without slack cables.
@@ -58,7 +58,7 @@ pub(super) enum Ending {
     Pushes,
 }
 
-/// Least energy of eight platforms, as the loop of all searches sees it.
+/// Energy of eight platforms, as a problem of the common descent loop.
 struct Eight<'a, L> {
     lanes: L,
     descents: &'a Descents<'a>,
@@ -69,9 +69,10 @@ struct Eight<'a, L> {
     trial: [Line; POSE_ROWS],
     tensions: [Line; LANES],
     trial_tensions: [Line; LANES],
-    /// Shares of the cables, which stay zeros where there is no cable.
+    /// Terms of the cables; zeros in lanes without a cable.
     terms: [[L; TERMS]; LANES],
-    /// Equations of the trial: plain steps go on from there or not at all. The stiffness of an end is that before its last step.
+    /// Equations of the trial: a plain step is always accepted or ends the descent. The stiffness at the end is the one
+    /// before the last step.
     point: Point<L>,
     trial_squared: L,
     /// Residual wrench at the pose, squared (N²).
@@ -129,7 +130,7 @@ struct Ended<L: Lanes> {
 impl<L: Lanes> solve::Problem for Eight<'_, L> {
     type Number = L;
 
-    /// The undamped Newton step, regular where the stiffness is clearly positive definite.
+    /// The undamped Newton step, regular if the stiffness is clearly positive definite.
     #[inline(always)]
     fn step(&mut self, _: &Control<L>) -> Step<L> {
         let (l, descents) = (self.lanes, self.descents);
@@ -163,7 +164,7 @@ impl<L: Lanes> solve::Problem for Eight<'_, L> {
         self.residual_squared = self.trial_squared.select(helps, self.residual_squared);
     }
 
-    /// Not decided here: the single pose looks closer.
+    /// Never at rest: the single solver decides these cases.
     #[inline(always)]
     fn rests(&mut self, size: L, _: L) -> L::Mask {
         size.everywhere(false)
@@ -188,8 +189,7 @@ impl Descents<'_> {
         (springs, sum)
     }
 
-    /// Residual, tensions and, where it is asked for, stiffness; `terms` are the cables' shares, which stay zeros where there is
-    /// no cable.
+    /// Residual, tensions and, on request, stiffness; `terms` are those of the cables, zeros in lanes without a cable.
     #[inline(always)]
     fn evaluate<L: Lanes>(
         &self,
@@ -228,7 +228,7 @@ impl Descents<'_> {
         Point { residual, stiffness, needs_scalar }
     }
 
-    /// Writes the solutions and tells what they are.
+    /// Writes the solutions and returns the ending of each descent.
     #[inline(always)]
     fn conclude<L: Lanes>(
         self,
@@ -253,7 +253,7 @@ impl Descents<'_> {
             pull = pull + tension.abs();
             least_tension = least_tension.min(tension);
         }
-        // clearly in balance and clearly taut; what is not clear is the single pose's to decide
+        // clearly in balance and clearly taut; the single solver decides the other cases
         let undecided = lanes.constant(self.settings.wrench_tolerance) * pull;
         let most = lanes.constant(0.25) * undecided * undecided;
         let clear_tension = lanes.constant(2.0) * (undecided + lanes.constant(ROUNDING) * scale * mean_length);

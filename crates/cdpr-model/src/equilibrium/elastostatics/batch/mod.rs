@@ -1,9 +1,9 @@
 //! The elastostatic forward problem at many poses at once, a pose per lane.
 //!
-//! Eight descents run side by side as long as undamped Newton steps cut the residual wrench at least by half and no cable ends
-//! slack. A pose that needs more is given to the single [`Solver`] from its beginning, and so are robots with more than eight
-//! cables, with fewer than six degrees of freedom, or with cables that are rigid, sag or do not stretch linearly. Both ways end
-//! with the same bits.
+//! Eight descents run side by side as long as undamped Newton steps at least halve the residual wrench and no cable
+//! ends slack. A pose that needs more is solved by the single [`Solver`] from its beginning, and so are robots with
+//! more than eight cables, with fewer than six degrees of freedom, or with cables that are rigid, sag or do not stretch
+//! linearly. Both give the same bits.
 
 mod descent;
 #[cfg(test)]
@@ -19,11 +19,11 @@ use crate::geometry::PoseBatch;
 use crate::scalar::{LANES, LaneTable, Line, Unit, over_parts};
 
 impl Solver<'_> {
-    /// Finds many poses, each as [`Solver::solve`] does and with its bits, from controlled lengths (a row per cable, m) and
+    /// Finds many poses, each with the same bits as [`Solver::solve`], from controlled lengths (a row per cable, m) and
     /// guesses, all under the solver's load.
     ///
-    /// Claims no memory once `solutions` has had as many problems before, except on further threads and for reasons. The first
-    /// item with invalid numbers ends it.
+    /// Claims no memory if `solutions` has held as many problems before, except on further threads and for reasons. The
+    /// first problem with invalid numbers is an error.
     pub fn solve_batch(
         &mut self,
         controlled_lengths: &LaneTable,
@@ -33,10 +33,10 @@ impl Solver<'_> {
         self.solve_lanes(controlled_lengths, guesses, solutions, false)
     }
 
-    /// [`Solver::solve_batch`] for those who only ask for equilibria in which every cable pulls.
+    /// [`Solver::solve_batch`] for equilibria in which every cable pulls.
     ///
-    /// Where the equilibrium of bars has one that pushes, the search ends with [`Status::NotConverged`] instead of looking for
-    /// the cables that hang slack, which takes ten times as long.
+    /// If a cable pushes in the equilibrium of bars, the search ends with [`Status::NotConverged`] instead of looking
+    /// for the slack cables, which takes ten times as long.
     pub(crate) fn solve_taut_batch(
         &mut self,
         controlled_lengths: &LaneTable,
@@ -92,7 +92,7 @@ impl Solver<'_> {
         }
     }
 
-    /// One problem by the single solver.
+    /// Solves one problem with the single solver.
     #[cold]
     fn solve_one(&mut self, lengths: &LaneTable, guesses: &PoseBatch, item: usize, solutions: &mut [Line]) {
         let mut numbers = std::mem::take(&mut self.scratch.lengths);

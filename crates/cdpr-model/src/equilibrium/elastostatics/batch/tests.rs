@@ -1,4 +1,4 @@
-//! Batches end with the bits of single problems, on every unit.
+//! Batches give the bits of single problems, on every unit.
 
 use nalgebra::Vector3;
 use rand::{RngExt, SeedableRng};
@@ -11,7 +11,7 @@ use crate::model::{Composition, Model, place_pulleys};
 use crate::robot::{CableStiffness, Robot, builtin};
 use crate::statics::Load;
 
-/// Every built-in robot, with springs where its file has no stiffness, over points and over pulleys.
+/// Every built-in robot, with springs if its file has no stiffness, over points and over pulleys.
 fn models() -> Vec<Model> {
     let mut models = Vec::new();
     for name in builtin::names() {
@@ -82,7 +82,8 @@ fn a_batch_has_the_bits_of_single_problems_for_every_robot() {
     assert!(converged > 300, "{converged}");
 }
 
-/// Equilibria with slack cables take many more steps; a batch asked for taut cables does not wait for them, lanes or not.
+/// Equilibria with slack cables take many more steps; a batch for taut cables does not search for them, in lanes or
+/// not.
 #[test]
 fn asked_for_taut_cables_a_batch_ends_with_the_bars() {
     let settings = Settings { max_restarts: 0, ..Settings::default() };
@@ -105,7 +106,7 @@ fn asked_for_taut_cables_a_batch_ends_with_the_bars() {
                 left += 1;
             }
         }
-        // the solver asks for no more than before
+        // an ordinary batch afterwards solves all problems as before
         let mut again = Solutions::default();
         solver.solve_batch(&lengths, &guesses, &mut again).unwrap();
         assert_eq!(again, all);

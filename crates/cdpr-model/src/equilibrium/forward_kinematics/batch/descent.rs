@@ -1,4 +1,4 @@
-//! Eight plain descents side by side, with the bits of the single one.
+//! Eight plain descents side by side, with the bits of the single descent.
 
 use super::{ITERATIONS, RMS, STATUS};
 use crate::equilibrium::forward_kinematics::descent::{SLOW_CONTRACTION, is_no_higher, rounding_of};
@@ -26,36 +26,36 @@ struct Normal<L> {
     right: [L; 6],
     /// Lower triangle.
     matrix: [[L; 6]; 6],
-    /// 1 where a cable may have no path.
+    /// 1 if a cable may have no path.
     needs_scalar: L,
 }
 
 impl Descents<'_> {
-    /// On an available unit; compiled here, once for library and tests.
+    /// Runs on an available unit; compiled only here, for library and tests.
     #[inline(never)]
     pub(super) fn run_on(self, unit: Unit) -> [bool; LANES] {
         dispatch_on(unit, self).unwrap_or_default()
     }
 }
 
-/// Least squares of eight sets of lengths, as the loop of all searches sees them.
+/// Least squares of eight sets of lengths, as a problem of the common descent loop.
 struct Eight<'a, L> {
     lanes: L,
     model: &'a Model,
     lengths: &'a [Line],
     measure: Measure<L>,
-    /// Share of the cost that is left to rounding (m²).
+    /// Cost that counts as rounding (m²).
     rounding: L,
     pose: [Line; POSE_ROWS],
     trial: [Line; POSE_ROWS],
     /// Sum of squared residuals at the pose.
     cost: L,
-    /// Equations of the trial: plain steps go on from there or not at all.
+    /// Equations of the trial: a plain step is always accepted or ends the descent.
     normal: Normal<L>,
 }
 
 impl Kernel for Descents<'_> {
-    /// Which of the eight are solved.
+    /// True for each of the eight that is solved.
     type Output = [bool; LANES];
 
     #[inline(always)]
@@ -116,8 +116,7 @@ impl<L: Lanes> solve::Problem for Eight<'_, L> {
 }
 
 impl<L: Lanes> Eight<'_, L> {
-    /// Sum of squared residuals, with the normal equations where they are asked for; sums over cables in the order of
-    /// [`Lanes::sum`].
+    /// Sum of squared residuals, on request with the normal equations; sums over cables in the order of [`Lanes::sum`].
     #[inline(always)]
     fn equations(&self, with_matrix: bool) -> Normal<L> {
         let (lanes, pose) = (self.lanes, &self.trial);
@@ -151,7 +150,7 @@ impl<L: Lanes> Eight<'_, L> {
 }
 
 impl Descents<'_> {
-    /// Writes the solutions; which of them are those of a good plain descent.
+    /// Writes the solutions; true for each that a good plain descent has found.
     #[inline(always)]
     fn conclude<L: Lanes>(self, eight: &Eight<'_, L>, end: &DescentEnd<L>) -> [bool; LANES] {
         let (lanes, mean_length) = (eight.lanes, eight.measure.mean_length);

@@ -1,9 +1,9 @@
 //! Forward kinematics at many poses at once, a pose per lane.
 //!
-//! Eight descents run side by side as long as they are plain Gauss–Newton iterations that shrink quickly, which measured
-//! lengths and guesses from the last pose nearly always are. A pose that needs more (damping, second derivatives, other starts)
-//! is given to the single [`Solver`] from its beginning, and so are robots with more than eight cables or with fewer degrees of
-//! freedom than six. Both ways end with the same bits.
+//! Eight descents run side by side as long as they are plain Gauss–Newton iterations that shrink quickly, as they
+//! nearly always are for measured lengths and guesses from the last pose. A pose that needs more (damping, second
+//! derivatives, other starts) is solved by the single [`Solver`] from its beginning, and so are robots with more than
+//! eight cables or with fewer degrees of freedom than six. Both give the same bits.
 
 mod descent;
 #[cfg(test)]
@@ -19,10 +19,11 @@ use crate::model::Model;
 use crate::scalar::{LANES, LaneTable, Line, Unit, over_parts};
 
 impl Solver<'_> {
-    /// Finds many poses, each as [`Solver::solve`] does and with its bits, from controlled lengths (a row per cable, m) and guesses.
+    /// Finds many poses, each with the same bits as [`Solver::solve`], from controlled lengths (a row per cable, m) and
+    /// guesses.
     ///
-    /// Claims no memory once `solutions` has had as many problems before, except on further threads and for reasons. The first
-    /// item with invalid numbers ends it.
+    /// Claims no memory if `solutions` has held as many problems before, except on further threads and for reasons. The
+    /// first problem with invalid numbers is an error.
     pub fn solve_batch(
         &mut self,
         lengths: &LaneTable,
@@ -59,7 +60,7 @@ impl Solver<'_> {
         }
     }
 
-    /// One problem by the single solver.
+    /// Solves one problem with the single solver.
     #[cold]
     fn solve_one(&mut self, lengths: &LaneTable, guesses: &PoseBatch, item: usize, solutions: &mut [Line]) {
         let mut numbers = std::mem::take(&mut self.scratch.lengths);
@@ -78,7 +79,7 @@ impl Solver<'_> {
     }
 }
 
-/// Refuses what [`super::check_input`] refuses, at the first item that has it.
+/// Refuses the input that [`super::check_input`] refuses, at the first problem that has it.
 pub(in crate::equilibrium) fn check(model: &Model, lengths: &LaneTable, guesses: &PoseBatch) -> Result<(), InputError> {
     let (expected, found) = (model.cable_count(), lengths.rows());
     if expected != found && !guesses.is_empty() {
@@ -93,7 +94,7 @@ pub(in crate::equilibrium) fn check(model: &Model, lengths: &LaneTable, guesses:
         if lengths.group(group).iter().all(is_good) && guesses.table().group(group).iter().all(is_finite) {
             continue;
         }
-        // what fills the last group does not count
+        // problems that pad the last group are not checked
         for item in group * LANES..lengths.len().min((group + 1) * LANES) {
             for cable in 0..expected {
                 let length = lengths.get(cable, item);

@@ -1,4 +1,4 @@
-//! Batches end with the bits of single problems, on every unit.
+//! Batches give the bits of single problems, on every unit.
 
 use nalgebra::Vector3;
 use rand::{RngExt, SeedableRng};
@@ -46,7 +46,7 @@ fn models() -> Vec<Model> {
 
 #[test]
 fn a_batch_has_the_bits_of_single_problems_for_every_robot() {
-    // fewer starts: which ones are tried is the single solver's business
+    // fewer starts for speed: the choice of starts is the single solver's
     let settings = Settings { max_restarts: 2, ..Settings::default() };
     let mut converged = 0;
     for model in models() {

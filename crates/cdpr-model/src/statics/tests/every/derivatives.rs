@@ -1,4 +1,4 @@
-//! Answers of every composition for a cable at rest, differentiated by dual numbers of its equations.
+//! Results of every composition for a cable at rest, differentiated by dual numbers of its equations.
 
 use nalgebra::{Const, DMatrix, SVector, Vector3};
 use num_dual::DualVec;
@@ -12,8 +12,8 @@ use crate::cable::stretch::Stretch;
 use crate::cable::{CablePath, CableState};
 use crate::scalar::{Real, Smooth, add, cross, dot, rotate, scale, sub};
 
-/// Derivatives by what the equations determine (force and length of a span, or the tension of a straight cable), and by what
-/// is given.
+/// Derivatives by the unknowns of the equations (force and length of a span, or the tension of a straight cable), and
+/// by the given quantities.
 type Dual = DualVec<f64, Const<COUNT>>;
 const STATE: usize = 0;
 const TWIST: usize = 4;
@@ -37,7 +37,7 @@ fn constants(values: [f64; 3]) -> [Dual; 3] {
     values.map(Dual::from)
 }
 
-/// A unit vector of the pulley, turned by the variables of its turn.
+/// A unit vector of the pulley, turned by the variables of its rotation.
 fn turned(unit: [Dual; 3]) -> [Dual; 3] {
     add(unit, cross(vector(Vector3::zeros(), PULLEY_TURN), unit))
 }
@@ -46,9 +46,9 @@ fn gradient(dual: &Dual) -> SVector<f64, COUNT> {
     dual.eps.unwrap_generic(Const, Const::<1>)
 }
 
-/// The equations of one cable at the state that the library found, and what follows from the state.
+/// The equations of one cable at the state that the library found, and quantities that follow from the state.
 struct Twin {
-    /// Equations that vanish beside the known quantity: three rows of a span, none of a straight cable.
+    /// Equations that vanish, apart from the known quantity: three rows of a span, none of a straight cable.
     equations: Vec<Dual>,
     pull: [Dual; 3],
     moment_arm: [Dual; 3],
@@ -150,7 +150,7 @@ impl Twin {
                 platform_tension: dot(end_force, end_force).sqrt(),
             }
         };
-        // the cable leaves on the side of the axis where its equations hold
+        // the cable leaves the axis on the side on which its equations hold
         let gap = |twin: &Self| twin.equations.iter().map(|row| row.re.abs()).fold(0.0, f64::max);
         let (near, far) = (twin(1.0), twin(-1.0));
         let best = if gap(&near) < gap(&far) { near } else { far };
@@ -165,7 +165,8 @@ impl Twin {
         [x, y, z, u, v, w]
     }
 
-    /// Total derivatives of quantities by everything given (columns) while `known` stays, and by `known` itself (last column).
+    /// Total derivatives of quantities by all given numbers (columns) at fixed `known`, and by `known` itself (last
+    /// column).
     fn total(&self, known: &Dual, quantities: &[Dual]) -> DMatrix<f64> {
         let rows: Vec<_> = self.equations.iter().chain([known]).map(gradient).collect();
         let states = rows.len();
@@ -197,7 +198,7 @@ fn dual_elasticity(model: &Model, index: usize, law: &Elasticity<f64>, hidden: D
     }
 }
 
-/// Largest difference of two lists against their largest entry.
+/// Largest difference of two lists, relative to their largest entry.
 fn difference(found: &[f64], expected: impl IntoIterator<Item = f64>) -> f64 {
     let expected: Vec<f64> = expected.into_iter().collect();
     assert_eq!(found.len(), expected.len());
@@ -205,7 +206,7 @@ fn difference(found: &[f64], expected: impl IntoIterator<Item = f64>) -> f64 {
     found.iter().zip(expected).map(|(a, b)| (a - b).abs() / size).fold(0.0, f64::max)
 }
 
-/// Rounding through the solution of four equations whose condition is the stiffness of a taut cable.
+/// Rounding in the solution of four equations with the condition of a taut cable's stiffness.
 const ROUNDING: f64 = 1e-8;
 
 /// Stiffness, wrench, controlled length and their derivatives by pose, controlled length, tension and parameters: every
@@ -234,7 +235,7 @@ fn check_by_pose(model: &Model, index: usize, pose: &Pose, state: &CableState) {
     let composition = model.composition();
     let mut wanted = vec![(twin.outlet_tension, -state.wrench_by_pose(), "tension")];
     if composition.needs_tensions() {
-        // a rigid straight cable has no stiffness in numbers
+        // a rigid straight cable has no finite stiffness
         wanted.push((twin.controlled_length, state.stiffness(), "length"));
     }
     for (known, stiffness, name) in wanted {
@@ -283,23 +284,23 @@ fn check_by_parameters(model: &Model, index: usize, pose: &Pose, state: &CableSt
         let expected = |row: usize| total[(row, column - TWIST)];
         let off = difference(&change.pull, (0..3).map(expected));
         let none = (0..4).all(|row| expected(row) == 0.0) && change.pull == [0.0; 3] && change.controlled_length == 0.0;
-        // pulls change by 0 exactly where only the length does
+        // pulls change by exactly 0 if only the length changes
         let pulls_agree = off < ROUNDING || change.pull.iter().all(|x| x.abs() < 1e-12 * state.outlet_tension);
         assert!(none || pulls_agree, "{composition}, cable {index}, pull by {parameter:?}: {off:e}");
         let off = difference(&[change.controlled_length], [expected(3)]);
-        // lengths of meters per unit, to 1e-13 of them where the parameter hardly tells
+        // lengths in metres per unit, to 1e-13 of them if the parameter has almost no effect
         let agrees = off < ROUNDING || (change.controlled_length - expected(3)).abs() < 1e-13;
         assert!(none || agrees, "{composition}, cable {index}, length by {parameter:?}: {off:e}");
     }
-    // moving the outlet is moving the platform anchor the other way
+    // moving the outlet equals moving the platform anchor the other way
     for k in 0..3 {
         let (frame, platform) = (total[(3, FRAME_ANCHOR - TWIST + k)], state.controlled_length_by_anchor[k]);
         assert!((frame + platform).abs() < ROUNDING, "{composition}, cable {index}: {frame} {platform}");
     }
 }
 
-/// The tangent is the Hessian of an energy, up to what the law leaves out (see [`crate::cable::law`]): the weight on the pulley,
-/// and of a chain of elements the weight of one.
+/// The tangent is the Hessian of an energy, up to the terms that the law neglects (see [`crate::cable::law`]): the
+/// weight on the pulley, and for a chain of elements the weight of one.
 fn check_symmetry(model: &Model, index: usize, state: &CableState) {
     let tangent = state.tangent;
     if !tangent.iter().flatten().all(|x| x.is_finite()) {
@@ -318,7 +319,8 @@ fn check_symmetry(model: &Model, index: usize, state: &CableState) {
     }
 }
 
-/// Angle and length of a drum lead to each other, and so do their derivatives (by dual numbers in the winch's own tests).
+/// Angle and length of a drum are inverse to each other, and so are their derivatives (with dual numbers in the winch's
+/// own tests).
 fn check_drum(model: &Model, index: usize, length: f64) {
     if !model.composition().drum {
         return;

@@ -1,4 +1,4 @@
-//! Every composition of effects on random robots and poses: a new effect is covered by being listed in `Composition::all`.
+//! Every composition of effects on random robots and poses: a new effect is covered once `Composition::all` lists it.
 
 mod derivatives;
 mod switching_off;
@@ -10,13 +10,13 @@ use rand_chacha::ChaCha8Rng;
 use super::*;
 use crate::robot::{CableStiffness, HysteresisTable, TensionPlace, WrapSide};
 
-/// A number between −1 and 1 times this.
+/// A random number between −1 and 1 times the extent.
 fn within(rng: &mut ChaCha8Rng, extent: f64) -> f64 {
     rng.random_range(-extent..extent)
 }
 
-/// A robot with everything that an effect asks for, its numbers drawn at random: in space with six to nine cables, or in a
-/// plane with four and pulleys that do not swivel.
+/// A robot with the keys of every effect, its numbers drawn at random: in space with six to nine cables, or in a plane
+/// with four and pulleys that do not swivel.
 fn random_robot(seed: u64) -> Robot {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let is_planar = seed.is_multiple_of(4);
@@ -65,7 +65,7 @@ fn random_robot(seed: u64) -> Robot {
     robot
 }
 
-/// Branches that stiffen, the lower one below by this share in the middle.
+/// Branches that stiffen; the lower one lies below the upper by `width` of it in the middle.
 fn loop_of(stiffness: f64, width: f64) -> HysteresisTable {
     let strain = vec![0.0, 0.004, 0.02];
     let loading: Vec<f64> = strain.iter().map(|e| stiffness * e * (1.0 + 20.0 * e)).collect();
@@ -81,7 +81,7 @@ fn loop_of(stiffness: f64, width: f64) -> HysteresisTable {
     }
 }
 
-/// Poses near the middle of a robot, those in space turned by up to 20°, with a tension for every cable.
+/// Poses near the middle of a robot, with rotations of up to 20° in space, and a tension for every cable.
 fn random_states(model: &Model, seed: u64, count: usize) -> Vec<(Pose, Vec<f64>)> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let home = model.robot().home_or_middle().position;
@@ -96,7 +96,7 @@ fn random_states(model: &Model, seed: u64, count: usize) -> Vec<(Pose, Vec<f64>)
         .collect()
 }
 
-/// All compositions that the robot supports: a spatial robot has no planar pulleys, and no composition is left out otherwise.
+/// All compositions that the robot supports; no composition is left out.
 fn models(robot: &Robot) -> impl Iterator<Item = Model> + '_ {
     Composition::all().map(|composition| Model::new(robot.clone(), composition).expect("the robot has every key"))
 }

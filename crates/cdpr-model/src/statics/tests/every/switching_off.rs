@@ -1,11 +1,11 @@
-//! An effect whose parameter goes to zero leaves the model without it, in values and derivatives, and smoothly.
+//! As an effect's parameter goes to zero, values and derivatives go smoothly to those of the model without the effect.
 
 use super::*;
 use crate::model::{SpanEffect, StretchEffect};
 use crate::robot::CableStiffness;
 
-/// Answers of a model for its cables at these tensions (N): lengths, wrenches in the pattern's degrees of freedom, and their
-/// derivatives.
+/// Results of a model for its cables at these tensions (N): lengths, wrenches in the pattern's degrees of freedom, and
+/// their derivatives.
 fn answers(model: &Model, pose: &Pose, tensions: &[f64]) -> Vec<f64> {
     let basis = model.twist_basis();
     let mut answers = Vec::new();
@@ -22,7 +22,7 @@ fn answers(model: &Model, pose: &Pose, tensions: &[f64]) -> Vec<f64> {
     answers
 }
 
-/// An effect, and the robot with its parameter scaled.
+/// An effect, with the function that scales its parameter in a robot.
 struct Effect {
     word: &'static str,
     scale: fn(&mut Robot, f64),
@@ -59,13 +59,13 @@ fn each(robot: &mut Robot, change: impl Fn(&mut crate::robot::Cable)) {
     robot.cables.iter_mut().for_each(change);
 }
 
-/// The greatest difference of two lists, each entry against its own size or that of a unit.
+/// The largest difference of two lists, each entry relative to 1 plus its size.
 fn gap(found: &[f64], expected: &[f64]) -> f64 {
     let relative = |(a, b): (&f64, &f64)| (a - b).abs() / (1.0 + b.abs());
     found.iter().zip(expected).map(relative).fold(0.0, f64::max)
 }
 
-/// A robot whose composition is comparable with and without weight: sag counts strain by the unstrained length.
+/// A robot that is comparable with and without weight: sag refers strain to the unstrained length.
 fn by_unstrained_length(seed: u64) -> Robot {
     let mut robot = random_robot(seed);
     each(&mut robot, |cable| {
@@ -78,7 +78,7 @@ fn by_unstrained_length(seed: u64) -> Robot {
     robot
 }
 
-/// Every composition with each of its effects turned down: what is left goes with the parameter, and at zero nothing is left.
+/// Every composition with each of its effects reduced: the difference goes to zero with the parameter.
 #[test]
 fn effects_that_vanish_leave_the_model_without_them() {
     for seed in [1, 2, 4] {
@@ -102,15 +102,15 @@ fn vanishes(robot: &Robot, effect: &Effect, composition: Composition, seed: u64)
     for (pose, tensions) in random_states(&without, 200 + seed, 2) {
         let expected = answers(&without, &pose, &tensions);
         let gaps = models.each_ref().map(|model| gap(&answers(model, &pose, &tensions), &expected));
-        // at zero only rounding of wrenches of 1e4 N in the sagging equations' Newton steps is left
+        // at zero only rounding of wrenches of 1e4 N in the Newton steps of the sagging equations remains
         assert!(gaps[2] < 1e-8, "{composition} without {}: {:e} at 0", effect.word, gaps[2]);
-        // smooth: a tenth of the parameter leaves about a tenth or less of the effect
+        // smooth: a tenth of the parameter gives about a tenth or less of the effect
         assert!(gaps[0] < 0.05, "{composition} without {}: {:e} at 1e-3", effect.word, gaps[0]);
         assert!(gaps[1] < 0.11 * gaps[0] + 1e-8, "{composition} without {}: {gaps:?}", effect.word);
     }
 }
 
-/// With two equal slopes a law of two pieces is the linear one, wherever its knee is.
+/// With two equal slopes a law of two pieces is the linear one, for any knee.
 #[test]
 fn two_pieces_of_one_slope_are_the_linear_law() {
     for seed in [1, 2, 4] {
@@ -125,15 +125,15 @@ fn two_pieces_of_one_slope_are_the_linear_law() {
             let [expected, found] = [linear, composition].map(|of| Model::new(robot.clone(), of).unwrap());
             for (pose, tensions) in random_states(&expected, 400 + seed, 2) {
                 let gap = gap(&answers(&found, &pose, &tensions), &answers(&expected, &pose, &tensions));
-                // rounding, of spans that of Newton's steps
+                // rounding, for spans that of Newton's steps
                 assert!(gap < 1e-8, "{composition}: {gap:e}");
             }
         }
     }
 }
 
-/// Loops that close on the polynomial f = c₁ε + c₂ε² (its cubic pieces hold it exactly): the loop's width takes its effect
-/// along, in values and derivatives, wherever the memory is.
+/// Loops that close on the polynomial f = c₁ε + c₂ε² (represented exactly by its cubic pieces): the effect vanishes
+/// with the loop's width, in values and derivatives, for any memory.
 #[test]
 fn loops_without_width_are_a_polynomial() {
     for seed in [1, 2, 4] {
@@ -159,7 +159,7 @@ fn loops_without_width_are_a_polynomial() {
                 let expected = answers(&expected, &pose, &tensions);
                 let gaps = models.each_ref().map(|model| gap(&answers(model, &pose, &tensions), &expected));
                 // A span with hysteresis strains by its middle tension, one with a polynomial at every point: 5e-6 of
-                // what they say; without sag nothing but rounding.
+                // the results; without sag only rounding.
                 let rest = if composition.span != SpanEffect::Straight { 5e-6 } else { 1e-9 };
                 assert!(gaps[2] < rest, "{composition}: {gaps:?}");
                 assert!(gaps[0] < 0.05 && gaps[1] < 0.11 * gaps[0] + rest, "{composition}: {gaps:?}");
