@@ -70,9 +70,9 @@ pub struct Assessment {
 }
 
 /// Sends poses through the control model to the machine and compares what emerges with what was commanded.
-pub fn assess<'a>(
-    control: impl Into<Control<'a>>,
-    machine: &'a Model,
+pub fn assess(
+    control: impl Into<Control>,
+    machine: &Model,
     offsets: &[f64],
     poses: &[CommandedPose],
 ) -> Result<Assessment, InputError> {
@@ -80,7 +80,7 @@ pub fn assess<'a>(
 }
 
 /// [`assess`] of an operation, as one with history is.
-pub fn assess_operation(operation: &mut Operation<'_>, poses: &[CommandedPose]) -> Result<Assessment, InputError> {
+pub fn assess_operation(operation: &mut Operation, poses: &[CommandedPose]) -> Result<Assessment, InputError> {
     if poses.is_empty() {
         return Err(InputError::NoPoses);
     }
@@ -130,7 +130,7 @@ struct Errors {
 }
 
 impl Errors {
-    fn add(&mut self, operation: &mut Operation<'_>, command: &CommandedPose, outcome: &Outcome) {
+    fn add(&mut self, operation: &mut Operation, command: &CommandedPose, outcome: &Outcome) {
         self.position.push((outcome.pose.position - command.pose.position).norm());
         self.rotation.push(outcome.pose.angle_to(&command.pose));
         // an elastic control model may have no tensions to send at a pose that only emerged

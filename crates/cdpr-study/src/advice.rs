@@ -131,13 +131,13 @@ pub fn advise(
 }
 
 /// Emerging states at each pose under a control model with which the winches were set at the home pose.
-fn outcomes(control: Control<'_>, machine: &Model, home: &Pose, poses: &[Pose]) -> Result<Vec<Outcome>, InputError> {
+fn outcomes(control: Control, machine: &Model, home: &Pose, poses: &[Pose]) -> Result<Vec<Outcome>, InputError> {
     let initial = Initial {
         tension_method: Some(Method::Qp),
-        offset: tension_model(control.model, machine).is_none().then(|| "none".to_owned()),
+        offset: tension_model(&control.model, machine).is_none().then(|| "none".to_owned()),
         ..Initial::default()
     };
-    let offsets = winch_offsets(&initial, control.model, machine, home)?;
+    let offsets = winch_offsets(&initial, &control.model, machine, home)?;
     let driving = Driving::new(control, machine, &offsets)?;
     Ok(driving.with_history(History::of(machine, None).as_ref(), home).outcomes(poses))
 }

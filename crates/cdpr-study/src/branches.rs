@@ -34,9 +34,9 @@ pub struct Branches {
 /// either side along each translation of the pattern, always by cables that were never loaded before.
 ///
 /// A machine without history has no spread but rounding.
-pub fn branches<'a>(
-    control: impl Into<Control<'a>>,
-    machine: &'a Model,
+pub fn branches(
+    control: impl Into<Control>,
+    machine: &Model,
     offsets: &[f64],
     history: &History,
     start: &Pose,
@@ -50,7 +50,7 @@ pub fn branches<'a>(
     for pose in poses {
         let mut ends = Vec::with_capacity(detours.len());
         for detour in &detours {
-            let mut operation = Operation::new(control, machine, offsets)?.with_history(&history, start);
+            let mut operation = Operation::new(control.clone(), machine, offsets)?.with_history(&history, start);
             if let Some(shift) = detour {
                 let _ = operation.answer(&CommandedPose::at(Pose { position: pose.position + shift, ..*pose }));
             }

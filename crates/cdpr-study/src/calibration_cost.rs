@@ -44,7 +44,7 @@ enum CostError {
     TooFewPoses { there: usize, asked: usize },
 }
 
-impl PreparedSweep<'_> {
+impl PreparedSweep {
     /// Answers a point of a sweep over calibrations; what cannot be calibrated has a reason.
     pub fn calibration_row(&self, point: usize, values: &[f64]) -> Row {
         let outcome = self.calibrated(values);

@@ -100,14 +100,14 @@ impl Experiment {
     }
 
     /// The control model with its way to choose tensions and its map; refuses a study whose map is not given.
-    pub(crate) fn controller(&self) -> Result<Control<'_>, InputError> {
+    pub(crate) fn controller(&self) -> Result<Control, InputError> {
         let stated = &self.study.control;
         match (&stated.compensation, &self.compensation) {
             (Some(file), None) => Err(InputError::NoMap { file: file.clone() }),
             (_, map) => Ok(Control {
-                model: &self.control,
+                model: self.control.clone(),
                 tension_method: stated.tension_method.unwrap_or_default(),
-                compensation: map.as_ref(),
+                compensation: map.clone(),
             }),
         }
     }

@@ -81,20 +81,20 @@ pub struct Summary {
 const TRUSTED: f64 = 0.1;
 
 /// Commands poses and tells how far from them the platform comes to rest, exactly and by one linear step.
-pub fn field(driving: &Driving<'_>, poses: &[Pose]) -> Field {
+pub fn field(driving: &Driving, poses: &[Pose]) -> Field {
     let samples = driving.each_share(poses, |poses| {
         let mut operation = driving.operation();
         poses.iter().map(|pose| sample(&mut operation, pose)).collect()
     });
     let operation = driving.operation();
     let beyond = || operation.beyond_map(poses.iter().copied());
-    let effect = |alone: Driving<'_>| MapEffect { beyond: beyond(), without: field(&alone, poses).summary };
+    let effect = |alone: Driving| MapEffect { beyond: beyond(), without: field(&alone, poses).summary };
     let compensation = driving.without_map().map(|alone| Box::new(effect(alone)));
     let summary = Summary { compensation, ..Summary::of(&samples) };
     Field { samples, summary }
 }
 
-fn sample(operation: &mut Operation<'_>, commanded: &Pose) -> Sample {
+fn sample(operation: &mut Operation, commanded: &Pose) -> Sample {
     let outcome = operation.answer(&CommandedPose::at(*commanded));
     let exact = (outcome.status == Status::Converged).then(|| commanded.displacement_to(&outcome.pose));
     let linear = linear::displacement(operation, commanded);

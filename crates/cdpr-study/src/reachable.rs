@@ -46,14 +46,14 @@ pub struct Requirements {
 /// The machine is where it is led from the commanded pose: equilibria elsewhere, which a search from other starts might find,
 /// do not count. The margin has no unit: the least of (f − f_min)/(f_max − f_min) and (f_max − f)/(f_max − f_min) over cables and of
 /// 1 − error/largest error of position, rotation and tensions.
-pub struct Reachable<'a> {
-    driving: Driving<'a>,
+pub struct Reachable {
+    driving: Driving,
     requirements: Requirements,
 }
 
-impl<'a> Reachable<'a> {
+impl Reachable {
     /// Refuses requirements that ask for nothing, as limits of tensions do of a rigid machine.
-    pub fn new(driving: Driving<'a>, requirements: Requirements) -> Result<Self, InputError> {
+    pub fn new(driving: Driving, requirements: Requirements) -> Result<Self, InputError> {
         let machine = driving.machine();
         let Requirements { tensions, position_error_max, rotation_error_max, tension_error_max } = &requirements;
         let (is_elastic, commands) = (machine.needs_tensions(), driving.control().chooses_tensions());
@@ -72,7 +72,7 @@ impl<'a> Reachable<'a> {
     }
 
     /// Control model, machine and winches.
-    pub(crate) fn driving(&self) -> &Driving<'a> {
+    pub(crate) fn driving(&self) -> &Driving {
         &self.driving
     }
 
@@ -240,7 +240,7 @@ fn tension_margin(limits: &Limits, tensions: &[f64]) -> (f64, usize) {
 /// Tolerance of the forward problem, as a share of a tension's range: far above its rounding, far below any load cell.
 const ROUNDING: f64 = 1e-8;
 
-impl Criterion for Reachable<'_> {
+impl Criterion for Reachable {
     fn name(&self) -> &str {
         "reachable"
     }
@@ -265,7 +265,7 @@ impl Criterion for Reachable<'_> {
     }
 }
 
-impl Reachable<'_> {
+impl Reachable {
     /// [`Reachable::verdict`] without words.
     fn is_kept(&self, commanded: &Pose, outcome: &Outcome) -> bool {
         outcome.status == Status::Converged && self.keeps(commanded, &outcome.pose, Forces::of(outcome))

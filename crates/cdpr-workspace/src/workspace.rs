@@ -11,9 +11,9 @@ use cdpr_model::tension::Limits;
 
 /// Criteria asked of a model under a load, in one orientation of the platform.
 #[derive(Clone, Debug)]
-pub struct Workspace<'a> {
-    model: &'a Model,
-    load: &'a Load,
+pub struct Workspace {
+    model: Model,
+    load: Load,
     requests: Vec<CriterionRequest>,
     orientation: UnitQuaternion<f64>,
 }
@@ -29,7 +29,7 @@ pub struct WorkspaceSize {
     pub reaches_bounds: bool,
 }
 
-impl<'a> Workspace<'a> {
+impl Workspace {
     /// Positions of a model's platform under a load, its axes along those of the world; criteria follow, then [`Workspace::volume`].
     ///
     /// ```
@@ -43,12 +43,12 @@ impl<'a> Workspace<'a> {
     /// assert!(found.error_bound < 0.02 * found.size);
     /// # Ok::<(), Box<dyn std::error::Error>>(())
     /// ```
-    pub fn of(model: &'a Model, load: &'a Load) -> Self {
-        Self { model, load, requests: Vec::new(), orientation: UnitQuaternion::identity() }
+    pub fn of(model: &Model, load: &Load) -> Self {
+        Self { model: model.clone(), load: *load, requests: Vec::new(), orientation: UnitQuaternion::identity() }
     }
 }
 
-impl Workspace<'_> {
+impl Workspace {
     /// Tensions within the limits of the robot's file balance the load (eq. 3.29).
     #[must_use]
     pub fn wrench_feasible(self) -> Self {
@@ -73,12 +73,12 @@ impl Workspace<'_> {
     /// `cdpr workspace`. Without a criterion there is no set ([`WorkspaceError::NoCriterion`]).
     pub fn volume(&self) -> Result<WorkspaceSize, WorkspaceError> {
         let limits = Limits::of(self.model.robot(), None, None);
-        let setting = Setting { model: self.model, load: Ok(*self.load), limits };
+        let setting = Setting { model: &self.model, load: Ok(self.load), limits };
         let criterion = registry::all(&self.requests, &setting)?;
         let archetype = Archetype::ConstantOrientation(self.orientation);
-        let region = Region::new(self.model, criterion.as_ref(), &archetype)?;
+        let region = Region::new(&self.model, criterion.as_ref(), &archetype)?;
         let goal = Goal::usual();
-        let bounds = Bounds::about(&region, self.model, &goal)?;
+        let bounds = Bounds::about(&region, &self.model, &goal)?;
         let mut search = ByGrid { region: &region, bounds: &bounds, step: bounds.usual_step() };
         let refined = refine(&region, &bounds, &goal, &mut search)?;
         let (cells, count) = &refined.found;

@@ -236,3 +236,23 @@ pub mod plant {
 pub mod calibration;
 
 pub mod study;
+
+/// Questions that outlive the call in which they are posed own what they ask about, and any thread may answer them.
+#[cfg(test)]
+mod tests {
+    fn is_owned<T: Clone + Send + Sync + 'static>() {}
+    fn is_owned_once<T: Send + Sync + 'static>() {}
+
+    #[test]
+    fn long_lived_questions_own_their_models() {
+        is_owned::<crate::Model>();
+        is_owned::<crate::control::Control>();
+        is_owned::<crate::control::Operation>();
+        is_owned::<crate::control::Driving>();
+        is_owned::<crate::equilibrium::distribution::Solver>();
+        is_owned::<crate::workspace::Workspace>();
+        is_owned_once::<crate::study::reachable::Reachable>();
+        #[cfg(feature = "files")]
+        is_owned_once::<crate::study::sweep::PreparedSweep>();
+    }
+}

@@ -107,8 +107,9 @@ fn lengths(arguments: &Arguments, output: &mut Output) -> Result<ExitCode, Failu
     let path = arguments.poses.clone().unwrap_or_default();
     let poses = poses_from_csv(&files::read(&path, Size::Table)?, &shown_path(&path), model.robot())?;
     let compensation = map.as_ref().map(|(map, _)| map);
-    let (table, beyond) =
-        Control { compensation, ..Control::from(&model) }.table(&poses).map_err(|error| refused(&error))?;
+    let (table, beyond) = Control { compensation: compensation.cloned(), ..Control::from(&model) }
+        .table(&poses)
+        .map_err(|error| refused(&error))?;
     if let Some((_, file)) = map.as_ref().filter(|_| beyond.fading > 0) {
         let (fading, all) = (beyond.fading, poses.len());
         output.remark(&format!(

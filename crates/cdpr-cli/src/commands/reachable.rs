@@ -178,7 +178,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn by_grid(&self, reachable: &Reachable<'_>, arguments: &Arguments, thresholds: &[f64]) -> Result<Found, Failure> {
+    fn by_grid(&self, reachable: &Reachable, arguments: &Arguments, thresholds: &[f64]) -> Result<Found, Failure> {
         let step = arguments.step.unwrap_or(self.bounds.usual_step());
         let grid = Grid::new(&self.bounds, step).map_err(|error| Failure::refused("--step", &error))?;
         let progress = Progress::spinner("commanding the cells of the grid");
@@ -201,7 +201,7 @@ impl Search<'_> {
 
     fn by_hull(
         &self,
-        reachable: &Reachable<'_>,
+        reachable: &Reachable,
         arguments: &Arguments,
         change: Option<(ParameterDeviation, f64)>,
     ) -> Result<Found, Failure> {
@@ -247,7 +247,7 @@ impl Search<'_> {
     }
 
     /// Size within the rays of what one linear step reaches; `None` if it is not star-shaped.
-    fn linear_hull(&self, reachable: &Reachable<'_>, settings: &hull::Settings) -> Option<f64> {
+    fn linear_hull(&self, reachable: &Reachable, settings: &hull::Settings) -> Option<f64> {
         let criterion = reachable.by_linear_step();
         let region = self.region.with_criterion(&criterion);
         let found = hull::solve(&region, &self.bounds, &self.center, settings).ok()?;

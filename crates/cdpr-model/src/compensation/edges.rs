@@ -120,7 +120,7 @@ fn among_the_samples_nothing_fades() {
 fn corrections_fade_in_gaps() {
     let (model, poses, corrections) = samples(-0.9..1.0);
     let mut map = Compensation::through(&model, &poses, &corrections).unwrap();
-    let Field { points, length_scale, noise_ratio, mean, weights, factor } = &mut map.field;
+    let Field { points, length_scale, noise_ratio, mean, weights, factor } = std::sync::Arc::make_mut(&mut map.field);
     (*length_scale, *noise_ratio) = (0.6, 1e-4);
     *factor = field::factor(points, *length_scale, *noise_ratio).unwrap();
     let centred = DMatrix::from_fn(corrections.nrows(), 8, |row, cable| corrections[(row, cable)] - mean[cable]);

@@ -143,7 +143,7 @@ impl Compensation {
             model: file.model,
             at_centre: file.centre.cable_lengths_m,
             space: PoseSpace::of(model, centre, file.lever_m, file.ranges_m),
-            field: field.ok_or_else(|| refused("the numbers of the samples make no smooth map"))?,
+            field: field.ok_or_else(|| refused("the numbers of the samples make no smooth map"))?.into(),
         };
         map.check(model)?;
         Ok(map)

@@ -1,5 +1,7 @@
 //! The map: corrections at poses among its samples.
 
+use std::sync::Arc;
+
 use nalgebra::DMatrix;
 
 use super::correction::Correction;
@@ -28,7 +30,7 @@ pub struct Compensation {
     /// Lengths of the model at the centre without tensions (m): another model has other lengths.
     pub(super) at_centre: Vec<f64>,
     pub(super) space: PoseSpace,
-    pub(super) field: Field,
+    pub(super) field: Arc<Field>,
 }
 
 /// Facts about a map.
@@ -57,7 +59,7 @@ impl Compensation {
             model: model.composition().to_string(),
             at_centre: lengths_at(model, &space.centre)?,
             space,
-            field,
+            field: field.into(),
         })
     }
 

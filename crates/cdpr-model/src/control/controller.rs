@@ -24,29 +24,29 @@ use crate::tension::{Limits, Method};
 /// # let _ = low;
 /// # Ok::<(), Box<dyn std::error::Error>>(())
 /// ```
-#[derive(Clone, Copy, Debug)]
-pub struct Control<'a> {
+#[derive(Clone, Debug)]
+pub struct Control {
     /// The model.
-    pub model: &'a Model,
+    pub model: Model,
     /// Method that chooses the commanded tensions; no effect if lengths do not depend on tensions.
     pub tension_method: Method,
     /// Map that corrects its lengths; over the margin around the map's samples the correction fades to zero.
-    pub compensation: Option<&'a Compensation>,
+    pub compensation: Option<Compensation>,
 }
 
-impl<'a> From<&'a Model> for Control<'a> {
+impl<'a> From<&'a Model> for Control {
     fn from(model: &'a Model) -> Self {
-        Self { model, tension_method: Method::default(), compensation: None }
+        Self { model: model.clone(), tension_method: Method::default(), compensation: None }
     }
 }
 
-impl Control<'_> {
+impl Control {
     /// Table for a controller: the lengths to send at poses, in the units of the model's encoders, with the tensions
     /// that belong to them, as samples, and the poses at which the map fades. The first pose without lengths is an
     /// error, and so is one beyond the map.
-    pub fn table(self, poses: &[Pose]) -> Result<(Samples, Beyond), OperationError> {
-        let mut controller = Controller::new(self)?;
-        let mut state = State::at_home(self.model);
+    pub fn table(&self, poses: &[Pose]) -> Result<(Samples, Beyond), OperationError> {
+        let mut controller = Controller::new(self.clone())?;
+        let mut state = State::at_home(&self.model);
         let mut table = Samples { cable_count: self.model.cable_count(), poses: poses.to_vec(), ..Samples::default() };
         let mut fractions = Vec::with_capacity(poses.len());
         for (place, pose) in poses.iter().enumerate() {
@@ -72,16 +72,16 @@ impl Control<'_> {
 
 /// Solver, load and limits with which a control model chooses tensions.
 #[derive(Clone, Debug)]
-pub struct TensionChoice<'a> {
+pub struct TensionChoice {
     /// Solver of the tension distribution.
-    pub solver: distribution::Solver<'a>,
+    pub solver: distribution::Solver,
     /// Load of the control model.
     pub load: Load,
     /// Limits of the tensions (N).
     pub limits: Limits,
 }
 
-impl<'a> Control<'a> {
+impl Control {
     /// Refuses a map for a task that cannot use one.
     pub fn without_map(self, question: &'static str, reason: &'static str) -> Result<Self, InputError> {
         match self.compensation {
@@ -96,43 +96,44 @@ impl<'a> Control<'a> {
     }
 
     /// The choice of tensions; `None` if lengths do not depend on tensions.
-    pub fn tension_choice(self) -> Result<Option<TensionChoice<'a>>, InputError> {
+    pub fn tension_choice(&self) -> Result<Option<TensionChoice>, InputError> {
         if !self.chooses_tensions() {
             return Ok(None);
         }
         let Self { model, tension_method, .. } = self;
         let (limits, load) = (Limits::of(model.robot(), None, None)?, Load::of(model.robot())?);
-        let solver = distribution::Solver::by(tension_method, model, &load, &limits);
+        let solver = distribution::Solver::by(*tension_method, model, &load, &limits);
         Ok(Some(TensionChoice { solver, load, limits }))
     }
 }
 
 /// A control model that commands a machine.
 #[derive(Clone, Debug)]
-pub(super) struct Controller<'a> {
-    model: &'a Model,
+pub(super) struct Controller {
+    model: Model,
     /// Map that corrects its lengths.
-    compensation: Option<&'a Compensation>,
+    compensation: Option<Compensation>,
     /// Solver of the tensions, if lengths depend on them.
-    distribution: Option<distribution::Solver<'a>>,
+    distribution: Option<distribution::Solver>,
     /// The last tensions (N); NaN if lengths do not depend on them.
     tensions: Vec<f64>,
 }
 
-impl<'a> Controller<'a> {
-    pub(super) fn new(control: Control<'a>) -> Result<Self, InputError> {
+impl Controller {
+    pub(super) fn new(control: Control) -> Result<Self, InputError> {
         let distribution = control.tension_choice()?.map(|choice| choice.solver);
         let Control { model, compensation, .. } = control;
-        Ok(Self { model, compensation, distribution, tensions: vec![f64::NAN; model.cable_count()] })
+        let tensions = vec![f64::NAN; model.cable_count()];
+        Ok(Self { model, compensation, distribution, tensions })
     }
 
-    pub(super) fn model(&self) -> &'a Model {
-        self.model
+    pub(super) fn model(&self) -> &Model {
+        &self.model
     }
 
     /// The map that corrects its lengths.
-    pub(super) fn compensation(&self) -> Option<&'a Compensation> {
-        self.compensation
+    pub(super) fn compensation(&self) -> Option<&Compensation> {
+        self.compensation.as_ref()
     }
 
     /// The controller without its map.
@@ -141,8 +142,8 @@ impl<'a> Controller<'a> {
     }
 
     /// The model, if its lengths do not depend on tensions and no map corrects them.
-    pub(super) fn kinematic(&self) -> Option<&'a Model> {
-        (self.distribution.is_none() && self.compensation.is_none()).then_some(self.model)
+    pub(super) fn kinematic(&self) -> Option<&Model> {
+        (self.distribution.is_none() && self.compensation.is_none()).then_some(&self.model)
     }
 
     /// Tensions of the last lengths (N), if lengths depend on them.
@@ -167,7 +168,7 @@ impl<'a> Controller<'a> {
 
     /// Correction of its map at a pose; `None` without a map.
     fn correction(&self, pose: &Pose) -> Option<Correction> {
-        self.compensation.map(|map| map.at(pose))
+        self.compensation.as_ref().map(|map| map.at(pose))
     }
 
     /// [`Controller::lengths`] without the map.

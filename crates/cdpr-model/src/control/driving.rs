@@ -13,22 +13,22 @@ use crate::model::Model;
 /// The answer at a pose does not depend on other poses: machines with hysteresis come to each one from the initial
 /// pose, since in an order of their own the points of a map would depend on that order.
 #[derive(Clone, Debug)]
-pub struct Driving<'a> {
-    control: Control<'a>,
+pub struct Driving {
+    control: Control,
     offsets: Vec<f64>,
     history: Option<(History, Pose)>,
-    operation: Operation<'a>,
+    operation: Operation,
 }
 
 /// Number of poses that a thread takes at a time: the same for any number of threads, since batches are answered
 /// together.
 const SHARE: usize = 64;
 
-impl<'a> Driving<'a> {
+impl Driving {
     /// Refuses the input that [`Operation::new`] refuses; `offsets` are those of [`super::winch_offsets`] (m).
-    pub fn new(control: impl Into<Control<'a>>, machine: &'a Model, offsets: &[f64]) -> Result<Self, InputError> {
+    pub fn new(control: impl Into<Control>, machine: &Model, offsets: &[f64]) -> Result<Self, InputError> {
         let control = control.into();
-        let operation = Operation::new(control, machine, offsets)?;
+        let operation = Operation::new(control.clone(), machine, offsets)?;
         Ok(Self { control, offsets: offsets.to_vec(), history: None, operation })
     }
 
@@ -52,16 +52,16 @@ impl<'a> Driving<'a> {
     /// The same with the control model without its map; `None` if it has none.
     pub fn without_map(&self) -> Option<Self> {
         let operation = self.operation.without_map()?;
-        Some(Self { control: Control { compensation: None, ..self.control }, operation, ..self.clone() })
+        Some(Self { control: Control { compensation: None, ..self.control.clone() }, operation, ..self.clone() })
     }
 
     /// The control model.
-    pub fn control(&self) -> Control<'a> {
-        self.control
+    pub fn control(&self) -> &Control {
+        &self.control
     }
 
     /// The machine.
-    pub fn machine(&self) -> &'a Model {
+    pub fn machine(&self) -> &Model {
         self.operation.machine()
     }
 
@@ -76,7 +76,7 @@ impl<'a> Driving<'a> {
     }
 
     /// A copy of the operation as it was set.
-    pub fn operation(&self) -> Operation<'a> {
+    pub fn operation(&self) -> Operation {
         self.operation.clone()
     }
 

@@ -29,7 +29,7 @@ use crate::tension::Limits;
 #[derive(Clone, Debug)]
 pub struct Task<'a> {
     /// Control model, which sends the lengths.
-    pub control: Control<'a>,
+    pub control: Control,
     /// Machine, which answers; its cables are elastic.
     pub machine: &'a Model,
     /// The model in use when the winches are set: the control model, unless it is calibrated afterwards.
@@ -144,8 +144,8 @@ fn emerging(task: &Task<'_>, offsets: &[f64], poses: &[Pose]) -> Result<Vec<Opti
     Ok(tensions.map(|outcome| outcome.tensions.filter(|_| outcome.status == Status::Converged)).collect())
 }
 
-fn driving<'a>(task: &Task<'a>, offsets: &[f64]) -> Result<Driving<'a>, InputError> {
-    let driving = Driving::new(task.control, task.machine, offsets)?;
+fn driving<'a>(task: &Task<'a>, offsets: &[f64]) -> Result<Driving, InputError> {
+    let driving = Driving::new(task.control.clone(), task.machine, offsets)?;
     Ok(driving.with_history(task.history.as_ref(), &task.pose))
 }
 

@@ -10,20 +10,20 @@ use crate::scalar::LaneTable;
 
 /// A machine and the settings of its forward problem.
 #[derive(Clone, Debug)]
-pub(super) struct Machine<'a> {
-    model: &'a Model,
+pub(super) struct Machine {
+    model: Model,
     problem: ForwardProblem,
     settings: ForwardSettings,
 }
 
-impl<'a> Machine<'a> {
-    pub(super) fn new(model: &'a Model) -> Result<Self, InputError> {
+impl Machine {
+    pub(super) fn new(model: &Model) -> Result<Self, InputError> {
         let problem = model.forward_problem(None, &mut State::at_home(model))?;
-        Ok(Self { model, problem, settings: ForwardSettings::default() })
+        Ok(Self { model: model.clone(), problem, settings: ForwardSettings::default() })
     }
 
-    pub(super) fn model(&self) -> &'a Model {
-        self.model
+    pub(super) fn model(&self) -> &Model {
+        &self.model
     }
 
     /// True if tensions emerge.
@@ -80,7 +80,7 @@ impl<'a> Machine<'a> {
 }
 
 impl Outcome {
-    fn come_to(&mut self, machine: &Machine<'_>, solution: &Solution) {
+    fn come_to(&mut self, machine: &Machine, solution: &Solution) {
         self.pose = solution.pose;
         self.status = match solution.status {
             equilibrium::Status::Converged => Status::Converged,
@@ -92,7 +92,7 @@ impl Outcome {
         self.reason = (self.status != Status::Converged).then(|| {
             solution.reason.clone().unwrap_or_else(|| "the machine's forward problem has no solution".to_owned())
         });
-        let model = machine.model;
+        let model = &machine.model;
         if machine.knows_tensions() {
             self.tensions = Some(solution.tensions.clone());
         } else if let Ok(lengths) = model.cable_lengths(&solution.pose) {

@@ -39,10 +39,10 @@ pub struct Emerged {
 /// forward problem ([`crate::equilibrium::forward_problem`]): elastic cables, and rigid ones too few to hold the
 /// platform, pull or are slack; other rigid ones fit their lengths best.
 #[derive(Clone, Debug)]
-pub struct Operation<'a> {
-    control: Controller<'a>,
-    machine: Machine<'a>,
-    winding: Winding<'a>,
+pub struct Operation {
+    control: Controller,
+    machine: Machine,
+    winding: Winding,
     offsets: Vec<f64>,
     states: States,
     way: Option<PathTaken>,
@@ -86,24 +86,24 @@ struct PathTaken {
     last: Option<Pose>,
 }
 
-impl<'a> Operation<'a> {
+impl Operation {
     /// An operation with these winch offsets (m). Refuses different robots, and elastic ones with an unknown load or
     /// limits.
-    pub fn new(control: impl Into<Control<'a>>, machine: &'a Model, offsets: &[f64]) -> Result<Self, InputError> {
+    pub fn new(control: impl Into<Control>, machine: &Model, offsets: &[f64]) -> Result<Self, InputError> {
         let control = control.into();
-        check_same_robot(control.model, machine)?;
+        check_same_robot(&control.model, machine)?;
         let (expected, found) = (machine.cable_count(), offsets.len());
         if expected != found {
             return Err(InputError::Count { key: "offset_m", expected, found });
         }
-        let winding = Winding::new(control.model, machine)?;
-        let states = States { control: State::at_home(control.model), machine: State::at_home(machine) };
+        let winding = Winding::new(&control.model, machine)?;
+        let states = States { control: State::at_home(&control.model), machine: State::at_home(machine) };
         let (control, machine) = (Controller::new(control)?, Machine::new(machine)?);
         Ok(Self { control, machine, winding, offsets: offsets.to_vec(), states, way: None })
     }
 
     /// The machine.
-    pub fn machine(&self) -> &'a Model {
+    pub fn machine(&self) -> &Model {
         self.machine.model()
     }
 

@@ -35,9 +35,9 @@ pub struct Simulation {
 /// exactly if −q_off is part of its length offsets. A rigid machine with more cables than degrees of freedom cannot
 /// hold contradictory lengths: the platform goes to the least-squares pose, the winches take up the slack, and the
 /// encoders record the machine's lengths there. Recorded tensions are tension_scale · f + tension_offset.
-pub fn simulate<'a>(
-    control: impl Into<Control<'a>>,
-    machine: &'a Model,
+pub fn simulate(
+    control: impl Into<Control>,
+    machine: &Model,
     offsets: &[f64],
     poses: &[CommandedPose],
     noise: &SensorSigmas,
@@ -48,12 +48,12 @@ pub fn simulate<'a>(
 
 /// [`simulate`] with a given operation, e.g. one with history.
 pub fn simulate_operation(
-    operation: &mut Operation<'_>,
+    operation: &mut Operation,
     poses: &[CommandedPose],
     noise: &SensorSigmas,
     seed: u64,
 ) -> Result<Simulation, InputError> {
-    let machine = operation.machine();
+    let machine = &operation.machine().clone();
     if poses.is_empty() {
         return Err(InputError::NoPoses);
     }

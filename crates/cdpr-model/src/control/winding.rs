@@ -10,8 +10,8 @@ use crate::model::{Model, WinchError};
 /// A model without the effect `drum` has ideal winches, with a length linear in the angle and the radius of its own
 /// file, or else that of the other. If neither has the effect, lengths are not converted.
 #[derive(Clone, Debug)]
-pub struct Winding<'a> {
-    control: &'a Model,
+pub struct Winding {
+    control: Model,
     /// Winches of control model and machine, cable by cable; empty if lengths are not converted.
     winches: Vec<[Winch; 2]>,
 }
@@ -26,11 +26,11 @@ pub struct WindingGradient {
     pub machine: DrumLength,
 }
 
-impl<'a> Winding<'a> {
+impl Winding {
     /// The winches of control model and machine; an error if numbers of a drum are missing.
-    pub fn new(control: &'a Model, machine: &Model) -> Result<Self, InputError> {
+    pub fn new(control: &Model, machine: &Model) -> Result<Self, InputError> {
         if !control.composition().drum && !machine.composition().drum {
-            return Ok(Self { control, winches: Vec::new() });
+            return Ok(Self { control: control.clone(), winches: Vec::new() });
         }
         let winch = |model: &Model, other: &Model, cable: usize| {
             let ideal_of_other = || Winch::ideal(&other.robot().cables[cable]).and_then(Result::ok);
@@ -41,7 +41,7 @@ impl<'a> Winding<'a> {
         };
         let pair = |cable| Ok([winch(control, machine, cable)?, winch(machine, control, cable)?]);
         let winches = (0..control.cable_count()).map(pair).collect::<Result<_, WinchError>>()?;
-        Ok(Self { control, winches })
+        Ok(Self { control: control.clone(), winches })
     }
 
     /// True without the effect `drum` on either side: lengths paid out are those sent.

@@ -90,32 +90,32 @@ impl Model {
 
 /// A solver for many poses of one model.
 #[derive(Clone, Debug)]
-pub struct Solver<'a> {
-    model: &'a Model,
+pub struct Solver {
+    model: Model,
     load: Load,
     limits: Limits,
     chooser: tension::Solver,
 }
 
-impl<'a> Solver<'a> {
+impl Solver {
     /// A solver for this model, load and limits.
-    pub fn new(model: &'a Model, load: &Load, limits: &Limits) -> Self {
+    pub fn new(model: &Model, load: &Load, limits: &Limits) -> Self {
         Self::by(tension::Method::Qp, model, load, limits)
     }
 
     /// A solver that chooses tensions by the given method.
-    pub(crate) fn by(method: tension::Method, model: &'a Model, load: &Load, limits: &Limits) -> Self {
+    pub(crate) fn by(method: tension::Method, model: &Model, load: &Load, limits: &Limits) -> Self {
         let chooser = tension::Solver::new(method, model.cable_count(), model.dof());
-        Self { model, load: *load, limits: limits.clone(), chooser }
+        Self { model: model.clone(), load: *load, limits: limits.clone(), chooser }
     }
 
     /// Returns the tensions that keep the limits and balance the load at a pose, chosen by the solver's method: by
     /// default those nearest to the middle of the limits.
     pub fn solve(&mut self, pose: &Pose) -> Result<Distribution, DistributionError> {
-        let wrench = self.load.in_pattern(self.model, pose);
+        let wrench = self.load.in_pattern(&self.model, pose);
         let (chooser, limits) = (&mut self.chooser, &self.limits);
         let mut found = (Vec::new(), None);
-        let balance = balance(self.model, pose, wrench.as_slice(), &mut |matrix, wrench| {
+        let balance = balance(&self.model, pose, wrench.as_slice(), &mut |matrix, wrench| {
             // the answer at a pose must not depend on earlier poses
             chooser.forget();
             let answer = chooser.solve(matrix, wrench, limits, &Options::default())?;

@@ -1,5 +1,7 @@
 //! The model type and its functions at one pose.
 
+use std::sync::Arc;
+
 use nalgebra::Vector3;
 
 use super::CableGroup;
@@ -18,9 +20,15 @@ use crate::geometry::{Pose, Twist};
 use crate::robot::{Cable, Law, Robot, TensionPlace};
 use crate::scalar::LANES;
 
-/// A robot with chosen effects. Immutable: a changed parameter makes a new model.
+/// A robot with chosen effects. Immutable: a changed parameter makes a new model. A clone shares its numbers.
 #[derive(Clone, Debug)]
 pub struct Model {
+    parts: Arc<Parts>,
+}
+
+/// Robot, effects, and the numbers of the formulas that follow from them.
+#[derive(Clone, Debug)]
+struct Parts {
     robot: Robot,
     composition: Composition,
     twist_basis: Vec<Twist>,
@@ -29,7 +37,7 @@ pub struct Model {
     elasticity: Vec<Elasticity<f64>>,
     laws: Vec<CableLaw>,
     /// Winch per cable, see [`Model::winch`].
-    pub(super) winches: Vec<Option<Winch>>,
+    winches: Vec<Option<Winch>>,
 }
 
 impl Model {
@@ -67,91 +75,97 @@ impl Model {
         let chunks = robot.cables.chunks(LANES).zip(laws.chunks(LANES)).zip(elasticity.chunks(LANES));
         let groups = chunks.map(|((cables, laws), linear)| group(cables, laws, linear)).collect();
         let winches = winches_of(&robot, composition.drum)?;
-        Ok(Self { robot, composition, twist_basis, axes, groups, elasticity, laws, winches })
+        let parts = Parts { robot, composition, twist_basis, axes, groups, elasticity, laws, winches };
+        Ok(Self { parts: Arc::new(parts) })
     }
 
     /// The model with cables in these memories, one per cable; no effect for laws without memory.
     pub fn with_memories(&self, memories: &[Memory]) -> Self {
         let mut model = self.clone();
-        for (law, memory) in model.laws.iter_mut().zip(memories) {
+        for (law, memory) in Arc::make_mut(&mut model.parts).laws.iter_mut().zip(memories) {
             law.stretch = law.stretch.with_memory(memory);
         }
         model
     }
 
+    /// Winch per cable, `None` for those without one.
+    pub(super) fn winches(&self) -> &[Option<Winch>] {
+        &self.parts.winches
+    }
+
     /// The robot.
     pub fn robot(&self) -> &Robot {
-        &self.robot
+        &self.parts.robot
     }
 
     /// The effects.
     pub fn composition(&self) -> Composition {
-        self.composition
+        self.parts.composition
     }
 
     /// Laws that the cables obey.
     pub fn cables(&self) -> Cables {
-        self.composition.cables()
+        self.parts.composition.cables()
     }
 
     /// True if controlled lengths depend on tensions, see `Composition::needs_tensions`.
     pub fn needs_tensions(&self) -> bool {
-        self.composition.needs_tensions()
+        self.parts.composition.needs_tensions()
     }
 
     /// Frame and platform anchors of straight cables (world, m; platform, m); `None` with pulleys or with cables that
     /// have weight.
     pub fn straight_lines(&self) -> Option<impl Iterator<Item = (&Vector3<f64>, &Vector3<f64>)>> {
-        let is_straight = !self.composition.pulley && self.cables().has_fixed_directions();
-        is_straight.then(|| self.robot.cables.iter().map(|cable| (&cable.frame_anchor, &cable.platform_anchor)))
+        let is_straight = !self.parts.composition.pulley && self.cables().has_fixed_directions();
+        is_straight.then(|| self.parts.robot.cables.iter().map(|cable| (&cable.frame_anchor, &cable.platform_anchor)))
     }
 
     /// Number of cables m.
     pub fn cable_count(&self) -> usize {
-        self.robot.cables.len()
+        self.parts.robot.cables.len()
     }
 
     /// Number of degrees of freedom n.
     pub fn dof(&self) -> usize {
-        self.twist_basis.len()
+        self.parts.twist_basis.len()
     }
 
     /// The n directions a pose can move in (columns of twists).
     pub fn twist_basis(&self) -> &[Twist] {
-        &self.twist_basis
+        &self.parts.twist_basis
     }
 
     /// World directions of the coordinates of an anchor in this pattern: e₁, e₂ of a planar robot, otherwise x, y, z.
     pub fn axes(&self) -> &[Vector3<f64>] {
-        &self.axes
+        &self.parts.axes
     }
 
     /// Elasticity of one cable (0-based); [`Elasticity::RIGID`] in a model without the effect `elastic`.
     pub fn elasticity(&self, cable: usize) -> &Elasticity<f64> {
-        &self.elasticity[cable]
+        &self.parts.elasticity[cable]
     }
 
     /// The law of one cable (0-based) with all its effects.
     pub fn law(&self, cable: usize) -> &CableLaw {
-        &self.laws[cable]
+        &self.parts.laws[cable]
     }
 
     /// State of one cable (0-based) at rest at a pose, with one more quantity given.
     ///
     /// Does not check that its straight cable has a path ([`Model::path`] does).
     pub fn cable_state(&self, cable: usize, pose: &Pose, input: CableInput) -> Result<CableState, CableStateError> {
-        self.laws[cable].state(self.cable_end(cable, pose.position.into(), &pose.rotation_rows()), input)
+        self.parts.laws[cable].state(self.cable_end(cable, pose.position.into(), &pose.rotation_rows()), input)
     }
 
     /// End of one cable (0-based) on a platform given by position and rotation rows.
     #[inline]
     pub fn cable_end(&self, cable: usize, position: [f64; 3], rotation: &[[f64; 3]; 3]) -> CableEnd<f64> {
-        CableEnd::at(position, rotation, self.robot.cables[cable].platform_anchor.into())
+        CableEnd::at(position, rotation, self.parts.robot.cables[cable].platform_anchor.into())
     }
 
     /// A tension as the robot measures it: at the outlet, unless the file states the platform anchor.
     pub fn measured_tension(&self, cable: usize, tension: f64) -> CableInput {
-        match self.robot.cables[cable].tension_at {
+        match self.parts.robot.cables[cable].tension_at {
             Some(TensionPlace::Platform) => CableInput::PlatformTension(tension),
             _ => CableInput::OutletTension(tension),
         }
@@ -159,7 +173,7 @@ impl Model {
 
     /// Cables in groups of eight lanes.
     pub fn groups(&self) -> &[CableGroup] {
-        &self.groups
+        &self.parts.groups
     }
 
     /// Path and moment arm b = R b_P of one cable (0-based) at a pose; an error if it has no path.
@@ -173,7 +187,7 @@ impl Model {
     /// Without pulleys the contact point is the frame anchor.
     pub fn contact(&self, cable: usize, pose: &Pose) -> Result<(Contact<f64>, CableEnd<f64>), GeometryError> {
         let (path, end) = self.checked_path(cable, pose.position.into(), &pose.rotation_rows())?;
-        Ok((self.laws[cable].outlet.contact(end.anchor, &path), end))
+        Ok((self.parts.laws[cable].outlet.contact(end.anchor, &path), end))
     }
 
     /// [`Model::path`] and end for a pose given by position and rotation rows, which many cables share. Inlined, so
@@ -186,7 +200,7 @@ impl Model {
         rotation: &[[f64; 3]; 3],
     ) -> Result<(CablePath<f64>, CableEnd<f64>), GeometryError> {
         let (path, end) = self.path_at(cable, position, rotation);
-        match self.laws[cable].outlet.degeneracy(cable + 1, end.anchor, &path) {
+        match self.parts.laws[cable].outlet.degeneracy(cable + 1, end.anchor, &path) {
             Some(reason) => Err(reason),
             None => Ok((path, end)),
         }
@@ -207,7 +221,7 @@ impl Model {
         rotation: &[[f64; 3]; 3],
     ) -> (CablePath<f64>, CableEnd<f64>) {
         let end = self.cable_end(cable, position, rotation);
-        (self.laws[cable].outlet.path(end.anchor), end)
+        (self.parts.laws[cable].outlet.path(end.anchor), end)
     }
 
     /// Swivel angle of one cable's pulley at a pose, right-handed about its swivel axis from a reference direction
@@ -216,8 +230,8 @@ impl Model {
     /// `None` in a model without pulleys, for a pulley that does not swivel, and if the angle is not determined because
     /// the platform anchor or the reference lies on the swivel axis.
     pub fn swivel_angle(&self, cable: usize, pose: &Pose, reference: &Vector3<f64>) -> Option<f64> {
-        let Outlet::Swivel { frame_anchor, swivel_axis, .. } = self.laws[cable].outlet else { return None };
-        let anchor = pose.transform(&self.robot.cables[cable].platform_anchor);
+        let Outlet::Swivel { frame_anchor, swivel_axis, .. } = self.parts.laws[cable].outlet else { return None };
+        let anchor = pose.transform(&self.parts.robot.cables[cable].platform_anchor);
         outlet::pulley::swivel_angle(frame_anchor, swivel_axis, (*reference).into(), anchor.into())
     }
 
@@ -240,29 +254,29 @@ impl Model {
 
     /// Length that the robot records for the geometric length q of a rigid cable: length_scale · q + length_offset (m).
     pub fn recorded_length(&self, cable: usize, length: f64) -> f64 {
-        self.laws[cable].recording.length(length)
+        self.parts.laws[cable].recording.length(length)
     }
 
     /// Controlled length q_θ for a recorded one: the inverse of [`Model::recorded_length`] (m).
     pub fn controlled_length(&self, cable: usize, recorded: f64) -> f64 {
-        self.laws[cable].recording.controlled_length(recorded)
+        self.parts.laws[cable].recording.controlled_length(recorded)
     }
 
     /// Tension that the robot records for a true one: tension_scale · f + tension_offset (N).
     pub fn recorded_tension(&self, cable: usize, tension: f64) -> f64 {
-        self.laws[cable].recording.tension(tension)
+        self.parts.laws[cable].recording.tension(tension)
     }
 
     /// True tension for a recorded one: the inverse of `Model::recorded_tension` (N).
     pub fn real_tension(&self, cable: usize, recorded: f64) -> f64 {
-        self.laws[cable].recording.real_tension(recorded)
+        self.parts.laws[cable].recording.real_tension(recorded)
     }
 
     /// Mean distance of the platform anchors from the platform origin (m), which converts angles to lengths.
     ///
     /// 1 m for a platform without extent.
     pub fn platform_radius(&self) -> f64 {
-        let sum: f64 = self.robot.cables.iter().map(|cable| cable.platform_anchor.norm()).sum();
+        let sum: f64 = self.parts.robot.cables.iter().map(|cable| cable.platform_anchor.norm()).sum();
         let mean = sum / self.cable_count() as f64;
         if mean > 0.0 { mean } else { 1.0 }
     }

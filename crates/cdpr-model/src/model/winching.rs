@@ -47,7 +47,7 @@ impl Model {
     /// The winch of one cable (0-based): its drum in a model with the effect `drum`, otherwise an ideal winch of the
     /// drum's radius; `None` if the robot states no radius.
     pub fn winch(&self, cable: usize) -> Option<&Winch> {
-        self.winches[cable].as_ref()
+        self.winches()[cable].as_ref()
     }
 
     /// Motor angle at which one cable (0-based) has this controlled length (m → rad).

@@ -31,9 +31,9 @@ pub(crate) fn simulator() -> Robot {
 }
 
 /// Outcome of each pose that a control model commands to a machine.
-pub(crate) fn operate<'a>(
-    control: impl Into<Control<'a>>,
-    machine: &'a Model,
+pub(crate) fn operate(
+    control: impl Into<Control>,
+    machine: &Model,
     offsets: &[f64],
     poses: &[CommandedPose],
 ) -> Result<Vec<Outcome>, InputError> {

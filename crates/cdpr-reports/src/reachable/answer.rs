@@ -51,7 +51,7 @@ pub struct Found {
 impl Found {
     /// Findings in the cells of a grid: those that are reached, also with each of these largest errors (m), and the wrench-feasible ones of machine and control model.
     pub fn of_grid(
-        reachable: &Reachable<'_>,
+        reachable: &Reachable,
         region: &Region<'_>,
         grid: &Grid,
         census: &Census,

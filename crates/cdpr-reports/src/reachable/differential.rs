@@ -45,7 +45,7 @@ pub struct Change<'a> {
 /// The hull of a changed robot, to first order and anew.
 pub fn differential(
     experiment: &Experiment,
-    reachable: &Reachable<'_>,
+    reachable: &Reachable,
     region: &Region<'_>,
     nominal: &Hull,
     bounds: &Bounds,

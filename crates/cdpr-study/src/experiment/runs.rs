@@ -17,13 +17,13 @@ const BRANCHED: usize = 100;
 
 impl Experiment {
     /// The machine under its control model, to be asked pose by pose.
-    pub fn operation(&self) -> Result<Operation<'_>, InputError> {
+    pub fn operation(&self) -> Result<Operation, InputError> {
         let operation = Operation::new(self.controller()?, &self.machine, &self.offsets)?;
         Ok(operation.with_history(self.history().as_ref(), &self.start))
     }
 
     /// The machine under its control model, to be asked from several threads.
-    pub fn driving(&self) -> Result<Driving<'_>, InputError> {
+    pub fn driving(&self) -> Result<Driving, InputError> {
         let driving = Driving::new(self.controller()?, &self.machine, &self.offsets)?;
         Ok(driving.with_history(self.history().as_ref(), &self.start))
     }

@@ -42,12 +42,12 @@ impl Experiment {
     }
 
     /// Reachable workspace by the requirements of the study.
-    pub fn reachable(&self) -> Result<Reachable<'_>, InputError> {
+    pub fn reachable(&self) -> Result<Reachable, InputError> {
         self.reachable_with(self.requirements())
     }
 
     /// Reachable workspace by requirements of one's own.
-    pub(crate) fn reachable_with(&self, requirements: Requirements) -> Result<Reachable<'_>, InputError> {
+    pub(crate) fn reachable_with(&self, requirements: Requirements) -> Result<Reachable, InputError> {
         Reachable::new(self.driving()?, requirements)
     }
 
@@ -68,7 +68,7 @@ impl Experiment {
     /// Positions at which what is reached is asked, the platform in one orientation.
     pub fn region<'a>(
         &self,
-        reachable: &'a Reachable<'a>,
+        reachable: &'a Reachable,
         orientation: UnitQuaternion<f64>,
     ) -> Result<Region<'a>, WorkspaceError> {
         Region::new(&self.machine, reachable, &Archetype::ConstantOrientation(orientation))

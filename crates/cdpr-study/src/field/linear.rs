@@ -15,7 +15,7 @@ use cdpr_model::tension::Limits;
 /// were held there, and stiffnesses are those at f₀. They differ from the tensions of the equilibrium by as much as the error,
 /// so that the result is exact to first order while no cable gets slack. Cables that are neither straight nor linear are taken
 /// as they would be held, which a slack cable spoils. The platform of a rigid machine moves to where the lengths fit best.
-pub(super) fn displacement(operation: &mut Operation<'_>, commanded: &Pose) -> Option<Twist> {
+pub(super) fn displacement(operation: &mut Operation, commanded: &Pose) -> Option<Twist> {
     let controlled = operation.controlled_lengths(commanded).ok()?;
     let machine = operation.machine();
     let held = || Held::at(machine, commanded, &controlled).map(|held| held.step);
@@ -36,7 +36,7 @@ fn in_world(machine: &Model, amounts: &DVector<f64>) -> Twist {
 }
 
 /// A machine whose platform is held at a commanded pose; `None` for a rigid one, and where nothing is sent or it meets no resistance.
-pub(crate) fn held(operation: &mut Operation<'_>, commanded: &Pose) -> Option<Held> {
+pub(crate) fn held(operation: &mut Operation, commanded: &Pose) -> Option<Held> {
     let controlled = operation.controlled_lengths(commanded).ok().filter(|_| operation.knows_tensions())?;
     Held::at(operation.machine(), commanded, &controlled)
 }

@@ -32,7 +32,7 @@ pub struct Census {
 
 impl Census {
     /// Commands the middle of every cell, in the first orientation of the region.
-    pub fn take(reachable: &Reachable<'_>, region: &Region<'_>, grid: &Grid) -> Self {
+    pub fn take(reachable: &Reachable, region: &Region<'_>, grid: &Grid) -> Self {
         let rotation = region.orientations().first().copied().unwrap_or_default();
         let slab = |slab: usize| (0..grid.slab_points()).map(move |index| grid.point(slab, index));
         let pose = |point: Point| Pose { position: region.position(&point), rotation };
@@ -69,7 +69,7 @@ impl Cell {
         tension_error: f64::INFINITY,
     };
 
-    fn of(reachable: &Reachable<'_>, commanded: &Pose, emerging: &Pose, forces: Forces<'_>) -> Self {
+    fn of(reachable: &Reachable, commanded: &Pose, emerging: &Pose, forces: Forces<'_>) -> Self {
         let limits = reachable.requirements().tensions.as_ref().zip(forces.emerging);
         let Errors { position, rotation, tension } = Errors::of(commanded, emerging, forces);
         Self {

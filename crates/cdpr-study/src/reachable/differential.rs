@@ -28,10 +28,10 @@ impl Varied {
     /// Those of a reachable workspace, a cause deviating by this (its unit); winches keep what they were set to.
     ///
     /// Refuses initial tensions: they are no number of their own but come with all winch offsets at once.
-    pub fn new(reachable: &Reachable<'_>, cause: &ParameterDeviation, by: f64) -> Result<Self, InputError> {
+    pub fn new(reachable: &Reachable, cause: &ParameterDeviation, by: f64) -> Result<Self, InputError> {
         let driving = reachable.driving();
         let reason = "with a number that changes, its corrections would be those of another model";
-        let tension_method = driving.control().without_map("the differential reach", reason)?.tension_method;
+        let tension_method = driving.control().clone().without_map("the differential reach", reason)?.tension_method;
         let mut offsets = driving.offsets().to_vec();
         match cause.kind {
             Kind::InitialTension => return Err(InputError::TensionsVaryTogether),
@@ -46,7 +46,7 @@ impl Varied {
             Model::new(robot, model.composition())
         };
         Ok(Self {
-            control: varied(driving.control().model, Side::Control)?,
+            control: varied(&driving.control().model, Side::Control)?,
             tension_method,
             machine: varied(driving.machine(), Side::Machine)?,
             offsets,
@@ -57,7 +57,7 @@ impl Varied {
     }
 
     /// Reachable workspace with the change; machines with history come to every pose as without it.
-    pub fn reachable(&self) -> Result<Reachable<'_>, InputError> {
+    pub fn reachable(&self) -> Result<Reachable, InputError> {
         let control = Control { tension_method: self.tension_method, ..Control::from(&self.control) };
         let driving = Driving::new(control, &self.machine, &self.offsets)?;
         Reachable::new(driving.with_history(self.history.as_ref(), &self.start), self.requirements.clone())
@@ -68,7 +68,7 @@ impl Varied {
 ///
 /// `hull` is that of `reachable` in `region`.
 pub fn differential_hull(
-    reachable: &Reachable<'_>,
+    reachable: &Reachable,
     region: &Region<'_>,
     hull: &Hull,
     cause: &ParameterDeviation,

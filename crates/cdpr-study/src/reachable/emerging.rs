@@ -10,7 +10,7 @@ use cdpr_workspace::{Point, Region};
 ///
 /// Each cell counts with the determinant of ∂x̂/∂x, by differences over half a cell: what is reached twice counts twice.
 /// `cells` are slab and index of the cells that are reached, as [`Grid::point`] takes them.
-pub fn emerging_size(reachable: &Reachable<'_>, region: &Region<'_>, grid: &Grid, cells: &[(usize, usize)]) -> f64 {
+pub fn emerging_size(reachable: &Reachable, region: &Region<'_>, grid: &Grid, cells: &[(usize, usize)]) -> f64 {
     let sizes = |cells: &[(usize, usize)]| {
         let middles: Vec<Point> = cells.iter().map(|&(slab, index)| grid.point(slab, index)).collect();
         stretches(reachable, region, grid, &middles)
@@ -20,7 +20,7 @@ pub fn emerging_size(reachable: &Reachable<'_>, region: &Region<'_>, grid: &Grid
 }
 
 /// |det ∂x̂/∂x| at commanded positions; 1 where a neighbour has no answer.
-fn stretches(reachable: &Reachable<'_>, region: &Region<'_>, grid: &Grid, points: &[Point]) -> Vec<f64> {
+fn stretches(reachable: &Reachable, region: &Region<'_>, grid: &Grid, points: &[Point]) -> Vec<f64> {
     let dimension = region.dimension();
     let half = |axis: usize| 0.25 * grid.bounds().extent(axis) / grid.counts()[axis] as f64;
     let beside = |point: &Point, axis: usize, way: f64| {
@@ -48,7 +48,7 @@ fn stretches(reachable: &Reachable<'_>, region: &Region<'_>, grid: &Grid, points
 }
 
 /// Positions at which the platform comes to rest when these are commanded, in the first orientation of the region.
-fn emerging(reachable: &Reachable<'_>, region: &Region<'_>, points: &[Point]) -> Vec<Option<Point>> {
+fn emerging(reachable: &Reachable, region: &Region<'_>, points: &[Point]) -> Vec<Option<Point>> {
     let Some(&rotation) = region.orientations().first() else { return vec![None; points.len()] };
     let poses: Vec<Pose> = points.iter().map(|point| Pose { position: region.position(point), rotation }).collect();
     reachable.emerging_positions(region, &poses)
@@ -64,7 +64,7 @@ pub struct Image {
 }
 
 /// The image of a hull; `None` if a corner has no answer.
-pub fn image_of(reachable: &Reachable<'_>, region: &Region<'_>, hull: &Hull) -> Option<Image> {
+pub fn image_of(reachable: &Reachable, region: &Region<'_>, hull: &Hull) -> Option<Image> {
     let ends = reachable.driving().each_share(&hull.vertices(), |corners| emerging(reachable, region, corners));
     let vertices: Vec<Point> = ends.into_iter().collect::<Option<_>>()?;
     // measured from a point within, so that a hull far from the origin loses no digits

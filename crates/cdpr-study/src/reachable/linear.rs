@@ -10,9 +10,9 @@ use cdpr_workspace::criterion::Criterion;
 
 /// Poses that are reached by the requirements of a reachable workspace where the machine answers by one linear step: δx = K_wx⁻¹ (Aᵀ f + w) and
 /// f̂ ≈ f − K A δx, both from the tensions f = f(q_θ) of the cables that are held at the commanded pose. A rigid machine reaches nothing so.
-struct ByLinearStep<'r, 'a>(&'r Reachable<'a>);
+struct ByLinearStep<'r>(&'r Reachable);
 
-impl<'a> Reachable<'a> {
+impl Reachable {
     /// The same question to one linear step, which needs no forward problem.
     pub fn by_linear_step(&self) -> impl Criterion {
         ByLinearStep(self)
@@ -35,7 +35,7 @@ impl<'a> Reachable<'a> {
     }
 }
 
-impl Criterion for ByLinearStep<'_, '_> {
+impl Criterion for ByLinearStep<'_> {
     fn name(&self) -> &str {
         "reachable-by-linear-step"
     }

@@ -33,13 +33,13 @@ impl Planar {
         Self { control, machine, offsets, limits }
     }
 
-    fn reachable(&self, position_error_max: Option<f64>) -> Reachable<'_> {
+    fn reachable(&self, position_error_max: Option<f64>) -> Reachable {
         let requirements =
             Requirements { tensions: Some(self.limits.clone()), position_error_max, ..Requirements::default() };
         Reachable::new(self.driving(&self.machine), requirements).unwrap()
     }
 
-    fn driving<'m>(&'m self, machine: &'m Model) -> Driving<'m> {
+    fn driving<'m>(&'m self, machine: &'m Model) -> Driving {
         Driving::new(&self.control, machine, &self.offsets).unwrap()
     }
 

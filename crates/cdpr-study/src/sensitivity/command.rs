@@ -12,10 +12,10 @@ use cdpr_model::model::Model;
 use cdpr_model::statics::{StaticsError, cable_state};
 
 /// A control model with what its derivatives need.
-pub(super) struct Command<'a> {
-    control: Control<'a>,
+pub(super) struct Command {
+    control: Control,
     /// How tensions are chosen, where lengths depend on them.
-    choice: Option<TensionChoice<'a>>,
+    choice: Option<TensionChoice>,
 }
 
 /// Changes of a command at a pose, per unit of each cause.
@@ -26,9 +26,10 @@ pub(super) struct Commanded {
     pub(super) lengths: Vec<DVector<f64>>,
 }
 
-impl<'a> Command<'a> {
-    pub(super) fn new(control: Control<'a>) -> Result<Self, InputError> {
-        Ok(Self { control, choice: control.tension_choice()? })
+impl Command {
+    pub(super) fn new(control: Control) -> Result<Self, InputError> {
+        let choice = control.tension_choice()?;
+        Ok(Self { control, choice })
     }
 
     /// Tensions at a pose (N), or why there are none; zeros where lengths depend on none.
@@ -56,9 +57,9 @@ impl<'a> Command<'a> {
             let lengths = causes.iter().map(|cause| at_tensions(model, pose, &tensions, cause));
             return Ok(Commanded { lengths: lengths.collect::<Result<_, _>>()?, tension_changes: unchanged });
         };
-        let Control { model: choosing, tension_method, .. } = self.control;
+        let Control { model: choosing, tension_method, .. } = &self.control;
         let choice =
-            Choice::by(tension_method, choosing, pose, load, limits, &tensions)?.map_err(OperationError::NotSmooth)?;
+            Choice::by(*tension_method, choosing, pose, load, limits, &tensions)?.map_err(OperationError::NotSmooth)?;
         let stretch = by_tensions(model, pose, &tensions)?;
         let mut commanded = Commanded { tension_changes: Vec::new(), lengths: Vec::new() };
         for cause in causes {

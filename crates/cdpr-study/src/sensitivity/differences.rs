@@ -87,7 +87,7 @@ struct Path<'a> {
 
 impl Path<'_> {
     fn drive(&self, control: &Model, machine: &Model, offsets: &[f64]) -> Result<Vec<Outcome>, InputError> {
-        let control = Control { model: control, ..self.sensitivity.control };
+        let control = Control { model: control.clone(), ..self.sensitivity.control.clone() };
         let mut operation = Operation::new(control, machine, offsets)?;
         if let Some((history, start)) = &self.sensitivity.history {
             operation = operation.with_history(history, start);
@@ -124,10 +124,10 @@ impl Path<'_> {
             cause.deviate(model, &mut robot, by);
             Ok(Some(Model::new(robot, model.composition())?))
         };
-        let (own_control, own_machine) = (changed(control.model, Side::Control)?, changed(machine, Side::Machine)?);
+        let (own_control, own_machine) = (changed(&control.model, Side::Control)?, changed(machine, Side::Machine)?);
         let offsets: Vec<f64> =
             winch_offsets.iter().zip(&offsets[column]).map(|(offset, change)| offset + by * change).collect();
-        self.drive(own_control.as_ref().unwrap_or(control.model), own_machine.as_ref().unwrap_or(machine), &offsets)
+        self.drive(own_control.as_ref().unwrap_or(&control.model), own_machine.as_ref().unwrap_or(machine), &offsets)
     }
 }
 

@@ -57,13 +57,13 @@ pub struct PoseSensitivity {
 
 /// A control model on a machine whose winches are set, with all that may deviate.
 pub struct Sensitivity<'a> {
-    control: Control<'a>,
+    control: Control,
     machine: &'a Model,
     /// How a machine that remembers comes to the poses, and from where.
     history: Option<(History, Pose)>,
     winch_offsets: Vec<f64>,
-    operation: Operation<'a>,
-    command: Command<'a>,
+    operation: Operation,
+    command: Command,
     load: Option<Load>,
     causes: Vec<ParameterDeviation>,
     /// Of the winch offsets per cause (m).
@@ -75,22 +75,22 @@ impl<'a> Sensitivity<'a> {
     ///
     /// `offsets` are the winch offsets in use; `setting` tells how they came about, for what may follow from it.
     pub fn new(
-        control: impl Into<Control<'a>>,
+        control: impl Into<Control>,
         machine: &'a Model,
         offsets: &[f64],
         setting: &Setting<'a>,
     ) -> Result<Self, InputError> {
         let reason = "with numbers that deviate, its corrections would be those of another model";
         let control = control.into().without_map("sensitivity", reason)?;
-        let operation = Operation::new(control, machine, offsets)?;
+        let operation = Operation::new(control.clone(), machine, offsets)?;
         let load = match operation.knows_tensions() {
             true => Some(Load::of(machine.robot())?),
             false => None,
         };
-        let causes = causes(control.model, machine, setting);
+        let causes = causes(&control.model, machine, setting);
         let winch_offsets = offsets.to_vec();
-        let offsets = setting.by_causes(control.model, machine, &causes)?;
-        let command = Command::new(control)?;
+        let offsets = setting.by_causes(&control.model, machine, &causes)?;
+        let command = Command::new(control.clone())?;
         Ok(Self { control, machine, history: None, winch_offsets, operation, command, load, causes, offsets })
     }
 
@@ -108,7 +108,8 @@ impl<'a> Sensitivity<'a> {
     }
 
     fn derivatives(&mut self, command: &CommandedPose, outcome: &Outcome) -> Result<Derivatives, OperationError> {
-        let step = self.step(&command.pose, outcome, (self.control.model, self.machine))?;
+        let control = self.control.model.clone();
+        let step = self.step(&command.pose, outcome, (&control, self.machine))?;
         let unmoved = Motions::default();
         let (pose, tensions, _) = self.columns(&step, [&unmoved, &unmoved], &Remembered::default());
         let tensions = outcome.tensions.is_some().then_some(tensions);

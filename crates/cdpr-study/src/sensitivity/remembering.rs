@@ -47,7 +47,7 @@ type Passed = (Outcome, Result<Derivatives, Kink>);
 
 /// Outcomes at all poses, with exact derivatives where they lead there.
 fn passed(sensitivity: &mut Sensitivity<'_>, commands: &[CommandedPose]) -> Result<Vec<Passed>, InputError> {
-    let operation = Operation::new(sensitivity.control, sensitivity.machine, &sensitivity.winch_offsets)?;
+    let operation = Operation::new(sensitivity.control.clone(), sensitivity.machine, &sensitivity.winch_offsets)?;
     let history = sensitivity.history;
     let history = history.as_ref().map(|(history, start)| (history, start));
     let mut companion = Companion::new(sensitivity);
@@ -77,7 +77,7 @@ struct Companion<'s, 'a> {
 
 impl<'s, 'a> Companion<'s, 'a> {
     fn new(sensitivity: &'s mut Sensitivity<'a>) -> Self {
-        let (control, machine, causes) = (sensitivity.control.model, sensitivity.machine, sensitivity.causes());
+        let (control, machine, causes) = (&sensitivity.control.model, sensitivity.machine, sensitivity.causes());
         let of_control = causes.iter().filter(|cause| cause.side == Side::Control).count();
         let unloaded = Remembered::nothing(control, of_control, machine, causes.len());
         Self { sensitivity, start: Ok(unloaded.clone()), here: Ok(unloaded.clone()), unloaded }

@@ -11,14 +11,14 @@ use cdpr_model::reading::ReadError;
 use cdpr_model::robot::{Parameter, Robot};
 
 /// The files of a sweep as they are without its values.
-pub(super) struct Files<'a> {
+pub(super) struct Files {
     keys: Vec<Key>,
     /// Axis of placed pulleys by parameter of the sweep.
-    axes: Vec<Option<&'a [f64]>>,
+    axes: Vec<Option<Vec<f64>>>,
     study: File<Study>,
     control: File<Robot>,
     machine: File<Robot>,
-    offset_robot: Option<&'a str>,
+    offset_robot: Option<String>,
 }
 
 /// A file as text and, where it can be read without the sweep's values, read.
@@ -34,13 +34,13 @@ struct File<T> {
 
 /// The files with the values of some parameters.
 pub(super) struct Changed<'f> {
-    files: &'f Files<'f>,
+    files: &'f Files,
     /// Number of the sweep's parameter, and its value.
     values: &'f [(usize, f64)],
 }
 
-impl<'a> Files<'a> {
-    pub(super) fn new(sweep: &'a Sweep, subjects: &'a Subjects) -> Result<Self, PointError> {
+impl Files {
+    pub(super) fn new(sweep: &Sweep, subjects: &Subjects) -> Result<Self, PointError> {
         let table = |text: &str, name: &str| -> Result<Table, ReadError> {
             text.parse().map_err(|error: toml::de::Error| ReadError::new(name, "toml::syntax", error.to_string()))
         };
@@ -56,7 +56,7 @@ impl<'a> Files<'a> {
             Ok(File { place, name, table: table(text, known)?, parameters, read })
         };
         Ok(Self {
-            axes: sweep.parameter.iter().map(|parameter| parameter.swivel_axis.as_deref()).collect(),
+            axes: sweep.parameter.iter().map(|parameter| parameter.swivel_axis.clone()).collect(),
             study: File {
                 place: KeyTarget::Study,
                 name: "the study of this point",
@@ -71,7 +71,7 @@ impl<'a> Files<'a> {
                 "the control model of this point",
             )?,
             machine: robot(&subjects.machine, KeyTarget::Machine, "the machine", "the machine of this point")?,
-            offset_robot: subjects.offset_robot.as_deref(),
+            offset_robot: subjects.offset_robot.clone(),
             keys,
         })
     }
@@ -100,9 +100,9 @@ impl<'f> Changed<'f> {
         let mut machine = self.robot(machine)?;
         let placed = self.of(KeyTarget::PlacedPulleys).last();
         if let Some((index, radius)) = placed {
-            machine = with_pulleys(&machine, &study, radius, self.files.axes[index])?;
+            machine = with_pulleys(&machine, &study, radius, self.files.axes[index].as_deref())?;
         }
-        let former = offset_robot.map(|text| Robot::from_toml(text, "the offset robot")).transpose()?;
+        let former = offset_robot.as_ref().map(|text| Robot::from_toml(text, "the offset robot")).transpose()?;
         Ok((study, Robots { control: self.robot(control)?, machine, prediction: None, former }))
     }
 

@@ -46,7 +46,7 @@ impl Row {
     }
 }
 
-impl PreparedSweep<'_> {
+impl PreparedSweep {
     /// Answers one point; what cannot be built has a reason instead of sizes.
     pub fn row(&self, point: usize, values: &[f64]) -> Row {
         self.measured(point, values).unwrap_or_else(|error| Row::without_answer(point, values, error.to_string()))

@@ -42,15 +42,15 @@ pub fn check(sweep: &Sweep, subjects: &Subjects) -> Result<(), PointError> {
 }
 
 /// A sweep whose files are read, so that its points can be set up.
-pub struct PreparedSweep<'a> {
-    pub(crate) sweep: &'a Sweep,
-    files: Files<'a>,
+pub struct PreparedSweep {
+    pub(crate) sweep: Sweep,
+    files: Files,
 }
 
-impl<'a> PreparedSweep<'a> {
+impl PreparedSweep {
     /// Reads keys and files once for all points.
-    pub fn new(sweep: &'a Sweep, subjects: &'a Subjects) -> Result<Self, PointError> {
-        Ok(Self { sweep, files: Files::new(sweep, subjects)? })
+    pub fn new(sweep: &Sweep, subjects: &Subjects) -> Result<Self, PointError> {
+        Ok(Self { sweep: sweep.clone(), files: Files::new(sweep, subjects)? })
     }
 
     /// The experiment with these values of the parameters.
@@ -73,8 +73,8 @@ pub(super) struct SetUp {
 }
 
 impl SetUp {
-    pub(super) fn new(prepared: &PreparedSweep<'_>, values: &[f64]) -> Result<Self, PointError> {
-        let sweep = prepared.sweep;
+    pub(super) fn new(prepared: &PreparedSweep, values: &[f64]) -> Result<Self, PointError> {
+        let sweep = &prepared.sweep;
         let experiment = prepared.experiment(values)?;
         let bounds = experiment.bounds(sweep.bounds_m.as_deref())?;
         let grid = Grid::new(&bounds, sweep.step_m.unwrap_or(bounds.usual_step()))?;

@@ -110,9 +110,9 @@ type Answer = [f64; 3];
 ///
 /// `nominal` has the outcomes and derivatives of the robot without deviations, pose by pose. Parameters
 /// stay within what they may be: radii not below 0, stiffness above 0.
-pub fn monte_carlo<'a>(
-    control: impl Into<Control<'a>>,
-    machine: &'a Model,
+pub fn monte_carlo(
+    control: impl Into<Control>,
+    machine: &Model,
     setting: &Setting<'_>,
     offsets: &[f64],
     poses: &[CommandedPose],
@@ -128,7 +128,7 @@ pub fn monte_carlo<'a>(
     let sigmas: Vec<f64> = active.iter().map(|&cause| settings.sigmas[cause]).collect();
     let deviates = own.iter().any(|cause| cause.side == Side::Control);
     let control = control.into();
-    let models = (control.model, machine);
+    let models = (&control.model, machine);
     let run = Run {
         models,
         tension_method: control.tension_method,

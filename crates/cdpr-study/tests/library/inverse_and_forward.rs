@@ -142,7 +142,7 @@ fn path(robot: &Robot) -> Vec<CommandedPose> {
     [0.5, 1.0, 1.5, 1.0, -0.5].map(at).to_vec()
 }
 
-fn driven<'a>(control: &'a Model, machine: &'a Model) -> Operation<'a> {
+fn driven<'a>(control: &'a Model, machine: &'a Model) -> Operation {
     let operation = Operation::new(control, machine, &vec![0.0; machine.cable_count()]).unwrap();
     let history = History { reach: Reach::InOrder, sub_steps: 3 };
     operation.with_history(&history, &machine.robot().home_or_middle())
@@ -192,7 +192,7 @@ fn a_snapshot_of_a_machine_that_remembers_goes_on_as_the_machine_does() {
     let poses = path(&robot);
     let (first, rest) = poses.split_at(2);
     let mut operation = driven(&control, &machine);
-    let drive = |operation: &mut Operation<'_>, poses: &[CommandedPose]| -> Vec<Outcome> {
+    let drive = |operation: &mut Operation, poses: &[CommandedPose]| -> Vec<Outcome> {
         poses.iter().map(|command| operation.answer(command)).collect()
     };
     let before = drive(&mut operation, first);

@@ -116,14 +116,14 @@ pub fn solve_batch(
 
 /// Memory of one thread.
 #[derive(Clone)]
-struct Work<'a> {
-    solver: Solver<'a>,
+struct Work {
+    solver: Solver,
     part: PoseBatch,
     matrices: LaneTable,
     matrix: DMatrix<f64>,
 }
 
-impl Work<'_> {
+impl Work {
     /// The poses from `first` to before `end`, whose lines these are.
     fn solve_part(&mut self, poses: &PoseBatch, first: usize, end: usize, lines: &mut [Line]) {
         let rows = self.solver.model.cable_count() + 1;
