@@ -5,9 +5,9 @@ use thiserror::Error;
 use super::wrench::wrench;
 use crate::scalar::{Real, dot, rotate_back, scale};
 
-/// Length and pull of one rigid, straight cable, with what its derivatives need.
+/// Length and pull of one rigid, straight cable, with the terms of their derivatives.
 ///
-/// Laws that hold for every outlet (p_B: platform anchor in the world, a: frame anchor):
+/// Identities that hold for every outlet (p_B: platform anchor in the world, a: frame anchor):
 /// ∂q/∂p_B = −u, ∂q/∂a = u (the involute property), ∂u/∂p_B = −∂u/∂a.
 #[derive(Clone, Copy, Debug)]
 pub struct CablePath<T> {

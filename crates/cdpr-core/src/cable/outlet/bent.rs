@@ -1,8 +1,8 @@
-//! Outlet of a cable whose direction is given there, as that of a sagging cable is: point or swivelling pulley.
+//! Outlet (point or swivelling pulley) of a cable whose direction is given at the outlet, for sagging cables.
 
 use crate::scalar::{Smooth, add, cross, dot, scale, sub};
 
-/// A swivelling pulley as its cable sees it.
+/// A swivelling pulley and the side on which its cable leaves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pulley<T> {
     /// z_A, unit vector along the swivel axis, from the winch into the pulley (world).
@@ -50,7 +50,7 @@ pub fn outlet<T: Smooth>(pulley: &Pulley<T>, direction: [T; 3]) -> Outlet<T> {
 }
 
 impl Outlet<f64> {
-    /// Changes of C and β when the direction changes by δt (perpendicular to t).
+    /// Changes of C (m) and β (rad) when the direction changes by δt (perpendicular to t).
     #[inline]
     pub fn derivative(&self, pulley: &Pulley<f64>, change: [f64; 3]) -> ([f64; 3], f64) {
         let (axis, radial) = (pulley.swivel_axis, self.radial);

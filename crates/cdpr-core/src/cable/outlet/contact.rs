@@ -8,7 +8,7 @@ use crate::cable::path::CablePath;
 use crate::cable::wrench::wrench;
 use crate::scalar::{Real, add, cross, dot, scale, sub};
 
-/// Place where a straight cable leaves its pulley, with its derivatives by the platform anchor p_B (world).
+/// Point where a straight cable leaves its pulley, with its derivatives by the platform anchor p_B (world).
 ///
 /// With n_M = x_A × z_A across the pulley's plane, û_r = n_M × u in it and b_a = r_p (1 − cos β), the distance of C from the
 /// swivel axis:

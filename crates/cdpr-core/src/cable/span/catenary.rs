@@ -26,7 +26,7 @@ pub(super) fn vector<T: Smooth>(state: &State<T>, weight: [T; 3], stretch: &Stre
     add(unstretched, along_chord(force, length, weight, stretch))
 }
 
-/// S and its derivatives along changes of state and weight, with everything they share computed once.
+/// S and its derivatives along changes of state and weight; shared terms are computed once.
 #[inline]
 pub(super) fn with_derivatives<const N: usize>(
     state: &State<f64>,
@@ -46,19 +46,19 @@ pub(super) fn with_derivatives<const N: usize>(
     (vector, derivatives)
 }
 
-/// A span with everything that its derivatives share.
+/// A span with all terms that its derivatives share.
 struct Hanging<'a> {
     state: &'a State<f64>,
     weight: [f64; 3],
     parts: Parts<f64>,
-    /// ψ and its slope.
+    /// ψ and its derivative by y.
     psi: (f64, f64),
     /// F − ½ p L + ψ (L/σ)² (F (p·p) − p (F·p)) (N): the span without stretch is 2 L/σ times this.
     inner: [f64; 3],
 }
 
 impl Hanging<'_> {
-    /// Derivative of the part without stretch.
+    /// Derivative of the part of S without stretch.
     #[inline]
     fn derivative(&self, change: &Change) -> [f64; 3] {
         let (force, length, weight) = (self.state.force, self.state.length, self.weight);
