@@ -1,4 +1,4 @@
-//! Poses, twists, wrenches; nothing here knows of a robot.
+//! Poses, twists and wrenches; independent of any robot.
 
 mod angle_rates;
 mod pose;
