@@ -59,7 +59,7 @@ impl CableLaw {
             (_, LawParameter::PulleyTurn(turn)) => {
                 let path = self.path(state.end.anchor);
                 let by_length = self.length(path.length, state.outlet_tension).by_length;
-                // turning the pulley is turning the platform anchor the other way about D, then turning the result back
+                // turning the pulley is the same as turning the platform anchor the other way about D and the result back
                 let moved = cross(turn, sub(state.end.anchor, *self.outlet.frame_anchor()));
                 let direction = sub(cross(turn, path.direction), rotate(&path.direction_gradient, moved));
                 LawChange {

@@ -1,8 +1,7 @@
 //! Hysteresis: a loading and an unloading branch, and a memory that leads from one to the other.
 //!
 //! Strands rub on each other, so a rope returns less energy than it took: at the same strain the tension is higher
-//! while it grows
-//! (dissertation, sec. 5.1 and Fig. 5.7). With the branches up(ε) ≥ down(ε) the law is
+//! while it grows (dissertation, sec. 5.1 and Fig. 5.7). With the branches up(ε) ≥ down(ε) the law is
 //!
 //! f = ½(up + down) + ½(up − down)·S,  S = Σ wⱼ Sⱼ ∈ \[−1, 1\],  Σ wⱼ = 1.
 //!
