@@ -1,4 +1,4 @@
-//! Checks of a scenario that need no robot, with the place of each mistake.
+//! Checks of a scenario that need no robot; each error names its key.
 
 use super::{Integrator, Scenario, Time};
 use crate::series::Series;
