@@ -35,7 +35,7 @@ pub struct Summary {
     pub violations: Vec<Violation>,
 }
 
-/// Record of a run so far.
+/// Record of a run up to the present step.
 #[derive(Clone, Debug)]
 pub(super) struct Course {
     pub(super) steps: u64,

@@ -1,7 +1,7 @@
 //! Motion by a library's integrator with error control: the reference of the symplectic step, and free runs.
 //!
-//! Dormand and Prince's rule of order eight (crate `differential-equations`, decision 0042) on position, quaternion, momentum per mass, and the
-//! angles and speeds of the drums, with the forces of [`Plant::step`].
+//! Dormand and Prince's rule of order eight (crate `differential-equations`, decision 0042) on position, quaternion,
+//! momentum per mass, and the angles and speeds of the drums, with the forces of [`Plant::step`].
 
 use std::cell::RefCell;
 

@@ -154,8 +154,8 @@ impl Inertia {
         Ok(turned)
     }
 
-    /// θ of R exp(θ) after a time: the solution of θ′ = Ω + ½ θ × Ω + ¹⁄₁₂ θ × (θ × Ω) with Λ′ = Λ × Ω, Λ = I Ω (platform axes), by its series
-    /// θ = t Ω + ½ t² Ω′ + t³ (Ω″/6 + Ω × Ω′/12) + t⁴ (Ω‴ + Ω × Ω″)/24 + O(t⁵).
+    /// θ of R exp(θ) after a time: the solution of θ′ = Ω + ½ θ × Ω + ¹⁄₁₂ θ × (θ × Ω) with Λ′ = Λ × Ω, Λ = I Ω
+    /// (platform axes), by its series θ = t Ω + ½ t² Ω′ + t³ (Ω″/6 + Ω × Ω′/12) + t⁴ (Ω‴ + Ω × Ω″)/24 + O(t⁵).
     #[inline]
     fn rotation_vector(&self, body: &Vector3<f64>, omega: &Vector3<f64>, time: f64) -> Vector3<f64> {
         let of = |momentum: &Vector3<f64>| self.inverse_inertia * momentum;

@@ -1,9 +1,10 @@
 //! One step in time of the machine.
 //!
-//! H = T(p, L) + V(x, R): forces at a fixed pose change the momentum (a *kick*), and the free body moves with it (a *drift*, exact to rounding).
-//! Seven kicks and six drifts, symmetric, make a step of order four that is symplectic (Blanes and Moan 2002, SRKN₆ᵇ); the last kick of a
-//! step and the first of the next one share their pose, so that a step looks at the cables six times. Dampers and friction act within the
-//! kicks, which then follow the classical Runge–Kutta rule at the fixed pose.
+//! H = T(p, L) + V(x, R): forces at a fixed pose change the momentum (a *kick*), and the free body moves with it (a
+//! *drift*, exact to rounding). Seven kicks and six drifts, symmetric, make a step of order four that is symplectic
+//! (Blanes and Moan 2002, SRKN₆ᵇ); the last kick of a step and the first of the next one have the same pose, so that a
+//! step evaluates the cables six times. Dampers and friction act within the kicks, which then follow the classical
+//! Runge–Kutta rule at the fixed pose.
 
 use super::command::Command;
 use super::error::StepError;

@@ -1,7 +1,7 @@
 //! The chain of chapter 6: from the nominal controller to force control, every stage on one machine.
 //!
-//! Nominal → identified → driven → identified again (the four steps of sec. 6.2) → constant orientation (6.3) → elastostatic prediction and
-//! identification (6.4, 6.5) → force control on the edges of a larger region.
+//! Nominal → identified → driven → identified again (the four steps of sec. 6.2) → constant orientation (6.3) →
+//! elastostatic prediction and identification (6.4, 6.5) → force control on the edges of a larger region.
 
 #[cfg(test)]
 pub(super) mod tests;

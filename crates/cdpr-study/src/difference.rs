@@ -12,7 +12,8 @@ use cdpr_model::control::error_statistics::{mean, norm};
 /// Differences below this are rounding (m, rad).
 const ROUNDING: f64 = 1e-9;
 
-/// Errors of one controller minus those of another, over the poses at which both bring the platform to rest; negative is better.
+/// Errors of one controller minus those of another, over the poses at which both bring the platform to rest; negative
+/// is better.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[expect(non_snake_case, reason = "the fields are the keys of the answer, units included")]
 pub struct Difference {

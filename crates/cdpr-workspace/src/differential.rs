@@ -1,7 +1,7 @@
 //! Motion of the boundary of a region with a parameter, to first order (Pott 2018b, Sec. 3.5).
 //!
-//! On a ray the boundary lies where the margin m(ρ, p) is zero, so that it moves by dρ/dp = −(∂m/∂p)/(∂m/∂ρ). Margins are
-//! piecewise smooth: the rate is that of the piece on which the ray ends.
+//! On a ray the boundary lies where the margin m(ρ, p) is zero, so that it moves by dρ/dp = −(∂m/∂p)/(∂m/∂ρ). Margins
+//! are piecewise smooth: the rate is that of the piece on which the ray ends.
 
 use super::hull::Hull;
 use super::{Point, Region};
@@ -54,7 +54,7 @@ impl Motion {
         let by_face = hull.faces.iter().map(|face| {
             let rays = if hull.dimension() == 2 { &face[..2] } else { &face[..] };
             let relative = |&ray: &u32| self.rates[ray as usize].unwrap_or(0.0) / hull.radii[ray as usize];
-            // what a face encloses is a product of the radii of its corners
+            // a face encloses a size proportional to the product of the radii of its corners
             hull.face_size(face) * rays.iter().map(relative).sum::<f64>()
         });
         by_face.sum()

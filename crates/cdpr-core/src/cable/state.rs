@@ -81,7 +81,8 @@ pub struct CableState {
     pub controlled_length: f64,
     /// Pull t on the platform (world, N).
     pub pull: [f64; 3],
-    /// Unit vector of the pull at the platform anchor, along the cable's end tangent; defined for slack straight cables too.
+    /// Unit vector of the pull at the platform anchor, along the cable's end tangent; defined for slack straight cables
+    /// too.
     pub direction: [f64; 3],
     /// Tension at the outlet (N).
     pub outlet_tension: f64,
@@ -105,7 +106,7 @@ pub struct CableState {
     pub controlled_length_by_anchor: [f64; 3],
 }
 
-/// Reason why a cable has no state at this input.
+/// Reason for which a cable has no state at this input.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum CableStateError {
     /// A cable that does not stretch is shorter than the distance it has to span.
@@ -125,7 +126,7 @@ pub enum CableStateError {
          least"
     )]
     TensionTooLow {
-        /// Tension asked for (N).
+        /// Required tension (N).
         tension: f64,
         /// Least tension (N).
         least: f64,

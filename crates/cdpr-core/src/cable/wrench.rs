@@ -55,7 +55,8 @@ pub fn turned_row<T: Real>(columns: &[[T; 3]; 3], moment_arm: [T; 3], row: usize
     cross(moment_arm, [columns[0][row], columns[1][row], columns[2][row]])
 }
 
-/// ∂\[t; b × t\]/∂\[δr; δφ\] by rows, for a pull t with ∂t/∂p_B = M given by rows: p_B moves by δr + δφ × b, and the moment arm turns.
+/// ∂\[t; b × t\]/∂\[δr; δφ\] by rows, for a pull t with ∂t/∂p_B = M given by rows: p_B moves by δr + δφ × b, and the
+/// moment arm turns.
 ///
 /// At constant tension it is the cable's contribution to K_G; for a unit pull, minus its symmetric part is ∂²q/∂\[δr;
 /// δφ\]².

@@ -11,8 +11,8 @@ use super::Pose;
 const GIMBAL_LOCK: f64 = 1.5e-7;
 
 impl Pose {
-    /// J_P = \[e_x, Rx e_y, Rx Ry e_z\] at the angles φ of [`Pose::from_xyz_angles`] (rad): ω = J_P φ̇, a small turn δφ of the platform = J_P times a
-    /// change of the angles (world axes, 3×3, dimensionless; eq. 2.45, 2.46).
+    /// J_P = \[e_x, Rx e_y, Rx Ry e_z\] at the angles φ of [`Pose::from_xyz_angles`] (rad): ω = J_P φ̇, a small turn δφ
+    /// of the platform = J_P times a change of the angles (world axes, 3×3, dimensionless; eq. 2.45, 2.46).
     ///
     /// Its determinant is cos φy: at φy = ±π/2 no change of the angles turns about e_x × Rx e_y.
     pub fn xyz_angle_jacobian(angles: [f64; 3]) -> Matrix3<f64> {
@@ -22,7 +22,7 @@ impl Pose {
 
     /// J_P⁻¹, from ω to the rates of the angles (3×3, dimensionless): φ̇ = J_P⁻¹ ω.
     ///
-    /// `None` where the axes of φx and φz are parallel (φy = ±π/2, gimbal lock to 1e-7 rad).
+    /// `None` if the axes of φx and φz are parallel (φy = ±π/2, gimbal lock to 1e-7 rad).
     pub fn xyz_angle_jacobian_inverse(angles: [f64; 3]) -> Option<Matrix3<f64>> {
         let ((sx, cx), (sy, cy)) = (angles[0].sin_cos(), angles[1].sin_cos());
         // written so that NaN gives `None` too

@@ -18,8 +18,8 @@ pub fn magnitude<'a>(numbers: impl IntoIterator<Item = &'a f64>) -> Option<f64> 
 /// The smallest eigenvalue of a small symmetric matrix (lower triangle read), without allocation; NaN if an entry is
 /// not finite. Accurate to about 1e-14 of the largest entry.
 ///
-/// Householder reflections make the matrix tridiagonal; Laguerre's iteration on its characteristic polynomial, whose roots are
-/// all real, then climbs from a bound below all eigenvalues to the first one and cannot pass it.
+/// Householder reflections make the matrix tridiagonal; Laguerre's iteration on its characteristic polynomial, whose
+/// roots are all real, then climbs from a bound below all eigenvalues to the first one and cannot pass it.
 pub fn smallest_eigenvalue_of<const N: usize>(mut matrix: [[f64; N]; N]) -> f64 {
     let lower = (0..N).flat_map(|row| &matrix[row][..=row]);
     let Some(scale) = magnitude(lower) else { return f64::NAN };

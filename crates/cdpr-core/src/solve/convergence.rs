@@ -2,7 +2,7 @@
 
 use crate::scalar::Select;
 
-/// Fraction of the tolerance below which a step is the last, whatever the contraction of the steps before it.
+/// Fraction of the tolerance below which a step is the last, at any contraction of the steps before it.
 const NEGLIGIBLE: f64 = 1e-3;
 
 /// Total length of the steps that follow one of this size if they go on shrinking at this rate.
@@ -11,8 +11,8 @@ pub(super) fn left<N: Select>(size: N, contraction: N) -> N {
     size * contraction / (size.constant(1.0) - contraction)
 }
 
-/// Lanes in which this step is the last: the remaining ones, if they go on shrinking at this rate, add up to less than the
-/// tolerance.
+/// Lanes in which this step is the last: the remaining ones, if they go on shrinking at this rate, add up to less than
+/// the tolerance.
 ///
 /// Σ size·contractionᵏ (k ≥ 1) = size·contraction/(1 − contraction); a rate above a half is no sign of convergence. The
 /// test reads the step, not the residual, since the residual stays large for lengths that contradict each other.

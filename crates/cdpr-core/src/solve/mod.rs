@@ -124,7 +124,8 @@ pub enum StepRule {
     Damping,
     /// The same direction, half as far; for one problem at a time.
     Shortening,
-    /// A smaller trust region, whose shape is the problem's: dogleg (Powell 1970) or reflective (Branch, Coleman, Li 1999).
+    /// A smaller trust region, with the shape that the problem defines: dogleg (Powell 1970) or reflective (Branch,
+    /// Coleman, Li 1999).
     TrustRegion,
 }
 

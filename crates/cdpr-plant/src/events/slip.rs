@@ -18,7 +18,7 @@ pub(super) const SLIP: EventEntry = EventEntry {
     make: |setting| Ok(Arc::new(Slip { cable: setting.cable()?, length: setting.stated.number_or_zero("length_m") })),
 };
 
-/// A cable slips at its clamp and becomes longer or shorter.
+/// A cable slips through its holder, so that its unstrained length changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slip {
     /// Cable (0-based).

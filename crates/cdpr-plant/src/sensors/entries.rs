@@ -33,7 +33,7 @@ fn keys() -> Vec<Key> {
     OWN.iter().copied().chain(SENSORS.iter().map(sensor)).collect()
 }
 
-/// Sensors of a machine as its scenario states them; each is there if its table is. A machine without tables is measured by nothing.
+/// Sensors in a scenario: each exists if its table does. A machine without tables has no sensors.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SensorTable {
     /// Values of its keys, tables of the sensors included.

@@ -43,7 +43,7 @@ struct Imu {
     position: Vector3<f64>,
     /// Biases of specific force (m/s²) and angular velocity (rad/s).
     biases: [Vector3<f64>; 2],
-    /// Standard deviations of the noise of both.
+    /// Standard deviations of the noise of specific force (m/s²) and angular velocity (rad/s).
     sigmas: [f64; 2],
     noise: Noise,
 }

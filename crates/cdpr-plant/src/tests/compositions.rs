@@ -52,8 +52,8 @@ fn every_composition_rests_where_its_tensions_balance_the_load() {
         let steps = if plant.sags { 20 } else { 200 };
         hold(&plant, &mut state, 1e-3, steps);
         let moved = apart(&start.pose, &state.pose);
-        // residual of the balance, 1e-7 N and N·m, over a stiffness of 1e6 N/m and N·m/rad; a rope that sags remembers the strain at its outlet
-        // and stretches by the one in its middle, which is less by its weight
+        // residual of the balance, 1e-7 N and N·m, over a stiffness of 1e6 N/m and N·m/rad; a sagging rope has the
+        // memory of the strain at its outlet and stretches by that in its middle, which is less by its weight
         let remembers_with_weight = plant.sags && composition.stretch == cdpr_model::model::StretchEffect::Hysteresis;
         let tolerance = if remembers_with_weight { 1e-5 } else { 1e-9 };
         assert!(moved < tolerance, "{composition}: {moved:e}");

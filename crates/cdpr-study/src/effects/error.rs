@@ -26,7 +26,7 @@ pub enum EffectError {
     /// Lengths depend on tensions, and none are given.
     #[error("the tensions are unknown")]
     UnknownTensions,
-    /// A winch that cannot turn so far.
+    /// A winch that cannot reach the length.
     #[error(transparent)]
     Winch(#[from] WinchError),
     /// Lengths that do not suit the forward problem.

@@ -7,8 +7,8 @@ use super::kink::Kink;
 /// Derivatives by every cause, a column each.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Derivatives {
-    /// Displacement of the emerging pose in the pattern's degrees of freedom, translations first (m, rad; world axes), per unit
-    /// of the cause.
+    /// Displacement of the emerging pose in the pattern's degrees of freedom, translations first (m, rad; world axes),
+    /// per unit of the cause.
     pub pose: DMatrix<f64>,
     /// Change of the tensions (N); `None` for a rigid machine.
     pub tensions: Option<DMatrix<f64>>,

@@ -1,7 +1,7 @@
 //! A machine at rest, linearized: derivatives of pose and tensions by the lengths sent and by deviations.
 //!
-//! At rest Aᵀ(x, p) f + w(x, p) = 0 and s q_θ(x, f, p) + o = q_sent for every taut cable, s and o the machine's encoder scale and
-//! offset. By the implicit function theorem
+//! At rest Aᵀ(x, p) f + w(x, p) = 0 and s q_θ(x, f, p) + o = q_sent for every taut cable, s and o the machine's encoder
+//! scale and offset. By the implicit function theorem
 //!
 //! \[∂W/∂x, ∂W/∂f; ∂q/∂x, ∂q/∂f\] \[dx̂; df̂\] = \[−∂W/∂p; dq_sent − ∂q/∂p\] dp.
 //!

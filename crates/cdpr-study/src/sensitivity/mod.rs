@@ -46,7 +46,7 @@ use equilibrium::{Answer, Equilibrium};
 use memories::{Motions, Remembered};
 use windings::Windings;
 
-/// How pose and tensions follow deviations at one commanded pose.
+/// Derivatives of pose and tensions by all deviations at one commanded pose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PoseSensitivity {
     /// Outcome without deviations.

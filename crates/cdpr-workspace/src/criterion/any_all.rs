@@ -76,14 +76,14 @@ impl<'a> Joined<'a> {
 }
 
 impl<'a> All<'a> {
-    /// A criterion that asks for all of these; an error if there are none.
+    /// A criterion that requires all of these; an error if there are none.
     pub fn new(criteria: Vec<Box<dyn Criterion + 'a>>) -> Result<Self, WorkspaceError> {
         Ok(Self { joined: Joined::new(criteria, " and ")? })
     }
 }
 
 impl<'a> Any<'a> {
-    /// A criterion that asks for one of these; an error if there are none.
+    /// A criterion that requires one of these; an error if there are none.
     pub fn new(criteria: Vec<Box<dyn Criterion + 'a>>) -> Result<Self, WorkspaceError> {
         Ok(Self { joined: Joined::new(criteria, " or ")? })
     }

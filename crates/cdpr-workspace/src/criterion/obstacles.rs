@@ -10,8 +10,8 @@ use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 use cdpr_model::robot::{Obstacle, ObstacleShape, Robot};
 
-/// The free part of every cable keeps away from every obstacle of the file (`[[obstacle]]`: boxes along the world's axes and round
-/// struts of the frame) by half its diameter and the clearance.
+/// The free part of every cable keeps away from every obstacle of the file (`[[obstacle]]`: boxes along the world's
+/// axes and round struts of the frame) by half its diameter and the clearance.
 ///
 /// Cables are straight lines from outlet to platform anchor, without sag. An obstacle that supports a cable's frame
 /// anchor (which lies inside it, or nearer than clearance, half a cable and, with pulleys, a pulley's diameter) carries

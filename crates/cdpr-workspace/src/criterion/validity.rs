@@ -8,8 +8,8 @@ use cdpr_model::cable::outlet::Outlet;
 use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 
-/// Every cable has a path at the pose: no platform anchor lies on its outlet, inside its pulley, on the pulley's swivel axis, or
-/// on the open side of a pulley that does not swivel.
+/// Every cable has a path at the pose: no platform anchor lies on its outlet, inside its pulley, on the pulley's swivel
+/// axis, or on the open side of a pulley that does not swivel.
 ///
 /// The margin (m) is the least distance of a platform anchor from the points at which its cable has no path: the
 /// outlet, or the pulley's circle and swivel axis. Inside the pulley it is minus the depth; on outlet or axis it is

@@ -13,7 +13,8 @@ use cdpr_model::scalar::decomposition::svd;
 use cdpr_model::tension::Limits;
 use cdpr_model::tension::quadratic::{Solver, Status};
 
-/// Positive tensions without a load, Aᵀ f = 0 with f > 0, and a structure matrix of full rank (Pott 2018, ch. 5): exact.
+/// Positive tensions without a load, Aᵀ f = 0 with f > 0, and a structure matrix of full rank (Pott 2018, ch. 5):
+/// exact.
 ///
 /// The margin (–) is the largest possible ratio of the smallest tension to the mean: max min f / mean f over Aᵀ f = 0.
 /// It is 1 if all cables can pull alike, 0 on the boundary, and below zero minus the smallest push that one cable would

@@ -51,7 +51,8 @@ pub struct Hull {
     pub directions: Vec<Point>,
     /// Length of each ray within the region (m): the point there belongs to it, the point a tolerance further does not.
     pub radii: Vec<f64>,
-    /// Faces between the rays, seen from outside in the positive sense; in the plane the third entry repeats the second.
+    /// Faces between the rays, seen from outside in the positive sense; in the plane the third entry repeats the
+    /// second.
     pub faces: Vec<[u32; 3]>,
     /// Rays that reach the faces of the box within the region, so that more of it may lie outside.
     pub rays_at_bounds: usize,

@@ -44,7 +44,8 @@ impl Rays<'_> {
         }
     }
 
-    /// Reads the spans of all rays. Each end is judged once: the point at a ray's end lies in the region, rounding or not.
+    /// Reads the spans of all rays. Each end is judged once: the point at a ray's end must lie in the region in
+    /// spite of rounding.
     fn read(&self, spans: &[Spans], tolerance: f64) -> Found {
         let (mut radii, mut rays_at_bounds, mut reentry, mut longest) = (Vec::new(), 0, Reentry::default(), 0.0);
         for (ray, spans) in spans.iter().enumerate() {

@@ -7,8 +7,8 @@ use crate::Point;
 const LEVEL: f64 = 1e-12;
 
 impl Hull {
-    /// Section of the surface by the plane through the centre on which the last coordinate is constant: points (m) in order around
-    /// the centre; in a plane the corners themselves.
+    /// Section of the surface by the plane through the centre on which the last coordinate is constant: points (m) in
+    /// order around the centre; in a plane the corners themselves.
     ///
     /// Hulls along the same rays have as many points, each in the same direction from the centre.
     pub fn section(&self) -> Vec<Point> {

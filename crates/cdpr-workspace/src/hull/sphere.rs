@@ -8,7 +8,8 @@ use crate::Point;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Directions {
     pub(super) directions: Vec<Point>,
-    /// Faces between neighbours, seen from outside in the positive sense; in the plane the third entry repeats the second.
+    /// Faces between neighbours, seen from outside in the positive sense; in the plane the third entry repeats the
+    /// second.
     pub(super) faces: Vec<[u32; 3]>,
     /// Faces between the directions of the refinement before; empty if there is none.
     pub(super) coarse_faces: Vec<[u32; 3]>,

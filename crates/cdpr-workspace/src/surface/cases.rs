@@ -4,7 +4,8 @@
 //! On every face the surface cuts off each run of inside corners separately. Both cubes at a face see the same runs, so
 //! that their pieces meet, and every edge of a piece on a face has its other triangle in the other cube.
 
-/// Corner k of a cube lies at (k & 1, k >> 1 & 1, k >> 2) from its lower corner; an edge is its lower corner and its axis.
+/// Corner k of a cube lies at (k & 1, k >> 1 & 1, k >> 2) from its lower corner; an edge is its lower corner and its
+/// axis.
 pub(super) type Edge = (usize, usize);
 
 /// One piece of surface: the edges whose crossings it joins, in order, counter-clockwise seen from outside.

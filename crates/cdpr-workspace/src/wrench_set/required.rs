@@ -15,8 +15,8 @@ pub enum RequiredSet {
         /// Largest difference per row, 0 or more.
         half_extent: Vec<f64>,
     },
-    /// An ellipsoid with its axes along the rows: Σ ((w − center)/radius)² ≤ 1. A ball of forces and moments has the radius r in
-    /// the rows of forces and r times a length in those of moments.
+    /// An ellipsoid with its axes along the rows: Σ ((w − center)/radius)² ≤ 1. A ball of forces and moments has the
+    /// radius r in the rows of forces and r times a length in those of moments.
     Ball {
         /// Middle of the ellipsoid.
         center: Vec<f64>,

@@ -1,4 +1,5 @@
-//! Sets known by hand, and laws of all sets; the comparison with another solver is in `tests/library/wrench_set_oracle.rs`.
+//! Sets known by hand, and laws of all sets; the comparison with another solver is in
+//! `tests/library/wrench_set_oracle.rs`.
 
 use nalgebra::{DMatrix, DVector};
 use rand::{RngExt, SeedableRng};

@@ -17,8 +17,8 @@ pub struct Vertex {
 impl Zonotope {
     /// All corners, each once.
     ///
-    /// A facet with no more generators than dimensions is a parallelotope, whose corners are all choices of limits of its
-    /// cables; others are zonotopes of one dimension less.
+    /// A facet with no more generators than dimensions is a parallelotope, whose corners are all choices of limits of
+    /// its cables; others are zonotopes of one dimension less.
     pub fn vertices(&self) -> Vec<Vertex> {
         let units: Vec<Rows> = self.generators.iter().map(|generator| unit(&self.along_axes(generator))).collect();
         let numbered: Vec<(u64, Rows)> = units.iter().enumerate().map(|(index, unit)| (1 << index, *unit)).collect();

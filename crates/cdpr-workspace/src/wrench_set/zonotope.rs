@@ -16,8 +16,8 @@ const LOST: f64 = 1e-10;
 
 /// The available wrench set {−Aᵀ f | f_min ≤ f ≤ f_max} by its generators and facets.
 ///
-/// Rows are those of the structure matrix. Inside, each row is divided by its length (see `row_lengths`), so that all are
-/// forces and distances are in newtons.
+/// Rows are those of the structure matrix. Inside, each row is divided by its length (see `row_lengths`), so that all
+/// are forces and distances are in newtons.
 #[derive(Clone, Debug)]
 pub struct Zonotope {
     /// −Aᵀ ½(f_min + f_max), rows divided by their lengths (N).

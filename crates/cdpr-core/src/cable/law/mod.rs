@@ -1,17 +1,17 @@
 //! The implicit law of one cable with all its effects: g(p_B, s, q_θ) = 0 with a pull t(p_B, s) on the platform.
 //!
-//! p_B is the platform anchor in the world, q_θ the controlled length, s the internal state. For a sagging cable s = (F, L)
-//! of [`super::span`], and with the outlet C(F) and its wrap angle β(F)
+//! p_B is the platform anchor in the world, q_θ the controlled length, s the internal state. For a sagging cable
+//! s = (F, L) of [`super::span`], and with the outlet C(F) and its wrap angle β(F)
 //!
 //! C(F) + S(F, L) − p_B = 0, q_θ = L + (r_p β + q_h − c_s |F|)/(1 + ε(|F|)) − q_h, t = −(F − p L):
 //!
 //! outlet and span are solved together, so that swivel, wrap and contact point follow the end tangent of the span. The
 //! wrapped part and the hidden length q_h carry the tension at the outlet; c_s is the compliance in series (eq. 6.18).
 //!
-//! The tangent ∂t/∂p_B at fixed q_θ is symmetric where it is the Hessian of an energy: of every straight cable, and of a
-//! catenary that leaves from a point. Over a pulley the weight of the wrapped part is left out, and finite elements take cable
-//! up at all their nodes instead of the outlet: the asymmetry is of the order of w r_p, or of the weight of an element:
-//! 1e-4 or 1e-7 of the stiffness for a steel cable at 700 N.
+//! The tangent ∂t/∂p_B at fixed q_θ is symmetric if it is the Hessian of an energy: for every straight cable, and for
+//! a catenary that leaves from a point. Over a pulley the weight of the wrapped part is left out, and finite elements
+//! take cable up at all their nodes instead of the outlet: the asymmetry is of the order of w r_p, or of the weight of
+//! an element: 1e-4 or 1e-7 of the stiffness for a steel cable at 700 N.
 
 mod continued;
 mod lengths;

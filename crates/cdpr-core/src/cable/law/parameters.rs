@@ -1,4 +1,4 @@
-//! How a cable at given tension changes with its own parameters.
+//! Derivatives of a cable at given tension by its own parameters.
 
 use super::matrix4::Matrix4;
 use super::{CableLaw, Kind};
@@ -59,7 +59,7 @@ impl CableLaw {
             (_, LawParameter::PulleyTurn(turn)) => {
                 let path = self.path(state.end.anchor);
                 let by_length = self.length(path.length, state.outlet_tension).by_length;
-                // turning the pulley is the same as turning the platform anchor the other way about D and the result back
+                // turning the pulley equals turning the platform anchor the other way about D, then the result back
                 let moved = cross(turn, sub(state.end.anchor, *self.outlet.frame_anchor()));
                 let direction = sub(cross(turn, path.direction), rotate(&path.direction_gradient, moved));
                 LawChange {

@@ -37,7 +37,8 @@ impl CableLaw {
         self.outlet.pulley().map(|(&swivel_axis, &radius)| Pulley { swivel_axis, radius, side })
     }
 
-    /// Tension, direction, outlet and strain at the frame's end in a state; the cable leaves on `side` of the swivel axis.
+    /// Tension, direction, outlet and strain at the frame's end in a state; the cable leaves on `side` of the swivel
+    /// axis.
     pub(super) fn frame_end(&self, state: &State<f64>, side: f64) -> FrameEnd {
         let tension = dot(state.force, state.force).sqrt();
         let direction = scale(1.0 / tension, state.force);

@@ -1,4 +1,4 @@
-//! The state of a cable with weight, sought from several starts, and what follows from it.
+//! The state of a cable with weight, sought from several starts, with its derivatives.
 
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;

@@ -29,8 +29,9 @@ pub struct Outlet<T> {
     sine: T,
 }
 
-/// C and β for a cable that leaves with the direction t = cos β z_A + sin β x_A (unit vector, from the outlet on): the pulley
-/// swivels until t lies in its plane. C = D + r_p (1 − cos β) x_A + r_p sin β z_A. Along the axis the result is NaN.
+/// C and β for a cable that leaves with the direction t = cos β z_A + sin β x_A (unit vector, from the outlet on): the
+/// pulley swivels until t lies in its plane. C = D + r_p (1 − cos β) x_A + r_p sin β z_A. Along the axis the result is
+/// NaN.
 #[inline]
 pub fn outlet<T: Smooth>(pulley: &Pulley<T>, direction: [T; 3]) -> Outlet<T> {
     let one = pulley.radius.constant(1.0);

@@ -1,5 +1,5 @@
-//! Pulley: the cable enters at D, wraps and leaves tangentially (eq. 2.16–2.29). Its plane turns with the platform anchor about
-//! the swivel axis, or stands still with a given side (planar robots).
+//! Pulley: the cable enters at D, wraps and leaves tangentially (eq. 2.16–2.29). Its plane turns with the platform
+//! anchor about the swivel axis, or is fixed with a given side (planar robots).
 
 use thiserror::Error;
 
@@ -23,7 +23,7 @@ pub(super) struct PulleyPlane<T> {
     b_z: T,
     /// Component of the anchor along x_A from D (m).
     b_xy: T,
-    /// How the plane turns when the anchor moves across it (1/m): 1/b_xy, or 0 where it stands still.
+    /// Rate at which the plane turns as the anchor moves across it (1/m): 1/b_xy, or 0 for a fixed plane.
     pub(super) turning: T,
 }
 
@@ -39,7 +39,7 @@ impl<T: Real> PulleyPlane<T> {
         Self { swivel_axis, radial: scale(turning, across), b_z, b_xy, turning }
     }
 
-    /// Plane that stands still, with x_A = `side`.
+    /// Fixed plane, with x_A = `side`.
     #[inline(always)]
     pub(super) fn on_side(entry: [T; 3], swivel_axis: [T; 3], side: [T; 3], platform_anchor: [T; 3]) -> Self {
         let d = sub(platform_anchor, entry);
@@ -58,8 +58,8 @@ pub fn path<T: Real>(entry: [T; 3], swivel_axis: [T; 3], radius: T, platform_anc
 
 /// Path over a pulley that does not swivel: its centre lies at D + r_p x_A, with the unit vector x_A = `side` (world).
 ///
-/// For anchors in the plane of z_A and x_A. Inside the pulley, and on its open side (b_xy < 0, b_z > 0), where the cable would
-/// lift off, the result is NaN.
+/// For anchors in the plane of z_A and x_A. Inside the pulley, and on its open side (b_xy < 0, b_z > 0), where the
+/// cable would lift off, the result is NaN.
 #[inline(always)]
 pub fn path_on_side<T: Real>(
     entry: [T; 3],
@@ -131,7 +131,7 @@ pub fn swivel_angle(
     (num_traits::Float::hypot(sine, cosine) > ON_AXIS * scale).then(|| num_traits::Float::atan2(sine, cosine))
 }
 
-/// Why a pulley cannot be placed.
+/// Reason for which a pulley cannot be placed.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum PlacementError {
     /// The cable runs back along the swivel axis, so every swivel angle fits.
@@ -144,8 +144,8 @@ pub enum PlacementError {
 
 /// Entry point D (world, m) of a pulley whose contact point lies on `outlet` when the cable runs to `platform_anchor`.
 ///
-/// Anchors published for the point model are contact points, not D (sec. 3.8): D = C − r_p (1 − cos β) x_A − r_p sin β z_A
-/// with β in [0, π] from the cable's direction alone.
+/// Anchors published for the point model are contact points, not D (sec. 3.8):
+/// D = C − r_p (1 − cos β) x_A − r_p sin β z_A with β in [0, π] from the cable's direction alone.
 pub fn place(
     outlet: [f64; 3],
     swivel_axis: [f64; 3],

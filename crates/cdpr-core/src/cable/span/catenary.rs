@@ -5,8 +5,8 @@
 //!
 //! (2L/σ) \[F − ½ p L + ψ(y) (L/σ)² (F (p·p) − p (F·p))\], ψ(y) = (atanh(√y)/√y − 1)/y = 1/3 + y/5 + y²/7 + …
 //!
-//! This is Irvine's solution (Cable Structures, 1981, ch. 1; Miermeister 2021, sec. 2.3) without its differences of nearly
-//! equal logarithms: it holds at any inclination, upright too, and for p = 0.
+//! This is Irvine's solution (Cable Structures, 1981, ch. 1; Miermeister 2021, sec. 2.3) without its differences of
+//! nearly equal logarithms: it holds at any inclination, upright too, and for p = 0.
 
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;

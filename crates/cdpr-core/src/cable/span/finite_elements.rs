@@ -1,8 +1,8 @@
 //! A chain of straight elastic elements of equal unstrained length, half of each weight at either end.
 //!
 //! With the force F at the outlet, the force in element k of n is τ(L (k + ½)/n): the integral of the catenary by the
-//! midpoint rule, whose error falls with 1/n². The weight at the first node counts into F, that at the last into the pull
-//! on the platform, so that the balance of the whole span holds exactly.
+//! midpoint rule, whose error falls with 1/n². The weight at the first node counts into F, that at the last into the
+//! pull on the platform, so that the balance of the whole span holds exactly.
 
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;

@@ -1,8 +1,8 @@
 //! The free part of a cable with weight: the vector between its ends.
 //!
-//! A span hangs from the outlet C with the force F (N) pulling at C, and has the unstrained length L (m). With the weight p
-//! per unstrained length (N/m, a vector along gravity) the force at the unstrained distance s from C is τ(s) = F − p s, and
-//! its end lies at C + S,
+//! A span hangs from the outlet C with the force F (N) pulling at C, and has the unstrained length L (m). With the
+//! weight p per unstrained length (N/m, a vector along gravity) the force at the unstrained distance s from C is
+//! τ(s) = F − p s, and its end lies at C + S,
 //!
 //! S = ∫₀ᴸ (1 + ε(|τ|)) τ/|τ| ds.
 //!

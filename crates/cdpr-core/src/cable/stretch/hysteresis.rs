@@ -149,7 +149,8 @@ impl Hysteresis {
         (branches.middle + branches.half * state, slope)
     }
 
-    /// Strain ε at which a tension (N) is reached from the memory, and ∂ε/∂f (1/N): the exact inverse of [`Hysteresis::tension`].
+    /// Strain ε at which a tension (N) is reached from the memory, and ∂ε/∂f (1/N): the exact inverse of
+    /// [`Hysteresis::tension`].
     #[inline]
     pub fn strain<T: Select>(&self, tension: T, memory: &Memory) -> (T, T) {
         let (zero, one) = (tension.constant(0.0), tension.constant(1.0));

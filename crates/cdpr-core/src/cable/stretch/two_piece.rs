@@ -1,7 +1,7 @@
 //! Two pieces: soft below the strain of a knee, stiff above, f = c₁ ε up to ε_k, f = c₁ ε_k + c₂ (ε − ε_k) beyond.
 //!
 //! For ropes whose strands first settle and then carry. The tension is continuous; its slope jumps at the knee, where
-//! the lower one counts.
+//! it counts as c₁.
 
 use super::hysteresis::Memory;
 use super::law::Law;
