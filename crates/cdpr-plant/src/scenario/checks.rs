@@ -37,7 +37,7 @@ pub(super) fn check(scenario: &Scenario, document: &TomlDocument<'_>) -> Result<
     Ok(())
 }
 
-/// Makes errors at places of the file.
+/// Makes errors at keys of the file.
 struct Place<'a> {
     document: &'a TomlDocument<'a>,
 }
