@@ -1,9 +1,10 @@
-//! Formulas of cable-driven parallel robots that need no operating system: what control kernels and generated code are made of.
+//! Formulas of cable-driven parallel robots that need no operating system, for control kernels and generated code.
 //!
-//! Everything here is a function of its arguments over [`scalar::Real`], [`scalar::Select`] or [`scalar::Smooth`]: one text serves `f64`,
-//! dual numbers and eight lanes at once. There is no `std`, no allocation and no file format; features add them: `std` (the system's
-//! elementary functions; tables that were claimed at run time), `libm` (elementary functions without a system), `vectors` (AVX2 and AVX-512, found at
-//! run time), `dual` (the traits for dual numbers), `files` (names of choices in files).
+//! Everything here is a function of its arguments over [`scalar::Real`], [`scalar::Select`] or [`scalar::Smooth`]: the
+//! same code serves `f64`, dual numbers and eight lanes at once. There is no `std`, no allocation and no file format;
+//! features add them: `std` (the system's elementary functions; tables allocated at run time), `libm` (elementary
+//! functions without a system), `vectors` (AVX2 and AVX-512, found at run time), `dual` (the traits for dual numbers),
+//! `files` (names of choices in files).
 //!
 //! | module | content |
 //! |---|---|

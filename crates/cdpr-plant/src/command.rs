@@ -1,22 +1,23 @@
-//! Commands to winches, one per cable, and which kind of winch follows which.
+//! Commands to winches, one per cable, and the kinds of winches that follow them.
 
 use super::cable_motion::CableMotion;
 use super::error::StepError;
 use super::plant::{Plant, Winches};
 
-/// Distance up to which a length is the one at which a drum stands (m).
+/// Largest distance at which a length counts as the present length of a drum (m).
 const SAME_LENGTH: f64 = 1e-9;
 
 /// Command to one winch.
 #[derive(Clone, Copy, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Command {
-    /// Controlled length (m): ideal winches go evenly to it and have it at the end of the step. A drum holds the length at which it stands, by its brake.
+    /// Controlled length (m): ideal winches approach it at a constant rate and reach it at the end of the step. A drum
+    /// holds its present length with its brake.
     Length(f64),
-    /// Rate of the controlled length (m/s), positive where cable is paid out: the length at the end of a step is that at its start and rate × time,
-    /// rounded once.
+    /// Rate of the controlled length (m/s), positive if cable is paid out: the length at the end of a step is the
+    /// length at its start plus rate × time, rounded once.
     Speed(f64),
-    /// Torque of the motor of a drum (N·m), positive where it pulls cable in.
+    /// Torque of the motor of a drum (N·m), positive if it pulls cable in.
     Torque(f64),
     /// Tension at the outlet (N).
     Tension(f64),
@@ -33,7 +34,7 @@ impl Command {
         torques.iter().copied().map(Self::Torque).collect()
     }
 
-    /// Quantity in words.
+    /// Name of the quantity in words.
     fn quantity(&self) -> &'static str {
         match self {
             Self::Length(_) => "a length",
@@ -43,14 +44,14 @@ impl Command {
         }
     }
 
-    /// The commanded number, of whatever quantity.
+    /// The commanded number, in the unit of its quantity.
     fn number(&self) -> f64 {
         match self {
             Self::Length(number) | Self::Speed(number) | Self::Torque(number) | Self::Tension(number) => *number,
         }
     }
 
-    /// True if winches of a kind follow this quantity; drums do so where they hold a length.
+    /// True if winches of a kind follow this quantity; drums follow a length only to hold it.
     fn is_for(&self, winches: Winches) -> bool {
         match winches {
             Winches::Ideal => matches!(self, Self::Length(_) | Self::Speed(_)),
@@ -58,7 +59,8 @@ impl Command {
         }
     }
 
-    /// The command on the straight way from an earlier one of the same quantity, after a fraction of it; the command itself after another quantity.
+    /// Linear interpolation from an earlier command of the same quantity at a fraction of the interval; the command
+    /// itself if the quantities differ.
     pub(super) fn after(self, before: Self, fraction: f64) -> Self {
         let way = |from: f64, to: f64| if fraction < 1.0 { from + (to - from) * fraction } else { to };
         match (before, self) {
@@ -72,7 +74,7 @@ impl Command {
 }
 
 impl Plant {
-    /// Refuses commands that the winches do not follow, and numbers of them that do not match the cables.
+    /// Checks that the winches follow the commands, and that there is one per cable.
     pub(super) fn check_commands(&self, cables: &[CableMotion], commands: &[Command]) -> Result<(), StepError> {
         let (expected, found) = (self.model.cable_count(), commands.len());
         if expected != found {
@@ -96,7 +98,8 @@ impl Plant {
     }
 }
 
-/// The mistake with what the winches take, and which winches take the command.
+/// Error for a command that the winches do not follow, naming the commands that they take and the winches that take
+/// this one.
 fn refused(index: usize, command: &Command, winches: Winches) -> StepError {
     let takes = match winches {
         Winches::Ideal => "ideal winches take lengths and speeds",
@@ -124,7 +127,8 @@ mod tests {
         Plant::new(Model::new(robot, Composition::ELASTIC).unwrap(), Winches::Drums).unwrap()
     }
 
-    /// Every command that a winch cannot follow is refused with the cable, what the winch takes, and which winch takes the command.
+    /// Every command that a winch cannot follow is refused, naming the cable, the commands it takes, and the winches
+    /// that take this one.
     #[test]
     fn winches_refuse_what_they_do_not_follow() {
         let (ideal, drums) = (plant(plate(), Composition::ELASTIC, 0.0), drums());
@@ -148,7 +152,8 @@ mod tests {
         }
     }
 
-    /// Lengths and speeds side by side: a speed leads to the length that a table of lengths has, and to no other by rounding.
+    /// Lengths and speeds side by side: a speed leads to exactly the length in a table of lengths, without rounding
+    /// differences.
     #[test]
     fn speeds_lead_to_the_lengths_of_their_integral() {
         let plant = plant(plate(), Composition::ELASTIC, 4.0);

@@ -1,4 +1,5 @@
-//! The loop of a simulation: when its controller is asked, what it sees, and what winches are told between two questions.
+//! The control loop of a simulation: the times at which the controller is called, its inputs, and the commands between
+//! two calls.
 
 use super::command::Command;
 use super::controller::{Controller, Measured, Setpoint};
@@ -6,21 +7,21 @@ use super::error::{PlantError, StepError};
 use super::sensors::Sensors;
 use super::state::PlantState;
 
-/// Commands of a controller with a period from one question to the next.
+/// Commands between two calls of a controller with a period.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Between {
-    /// They stay as they are: ideal winches have the new lengths at the end of the next step.
+    /// The commands are held: ideal winches have the new lengths at the end of the next step.
     #[default]
     Hold,
-    /// They go straight from the last answer to the new one, which they reach when the next question is asked.
+    /// The commands go linearly from the last answer to the new one, which they reach at the next call.
     Line,
 }
 
-/// Moment for which commands are needed.
+/// Time for which commands are needed, with the inputs of the controller.
 pub(super) struct Moment<'a> {
     /// End of the step (s).
     pub(super) until: f64,
-    /// Times that differ by less than this are one (s).
+    /// Times that differ by less than this are equal (s).
     pub(super) same: f64,
     pub(super) state: &'a PlantState,
     pub(super) sensors: Option<&'a Sensors>,
@@ -28,24 +29,24 @@ pub(super) struct Moment<'a> {
     pub(super) between: Between,
 }
 
-/// A controller with its clock and its answers.
+/// A controller with its clock and its last answers.
 #[derive(Clone, Debug)]
 pub(super) struct ControlLoop {
     controller: Box<dyn Controller>,
-    /// Number of the period that has begun, and the time of its question (s); `None` before the first.
+    /// Number of the current period, and the time of its call (s); `None` before the first.
     asked: Option<(u64, f64)>,
     /// Answer before the last one.
     before: Vec<Command>,
     /// Last answer.
     answer: Vec<Command>,
-    /// Commands of now.
+    /// Current commands.
     now: Vec<Command>,
-    /// Lengths, rates and tensions as the controller sees them.
+    /// Lengths, rates and tensions passed to the controller.
     seen: [Vec<f64>; 3],
 }
 
 impl ControlLoop {
-    /// A loop before its first question, the winches where they stand.
+    /// A loop before its first call, with the winches at their present lengths.
     pub(super) fn new(controller: Box<dyn Controller>, state: &PlantState) -> Result<Self, PlantError> {
         if let Some(period) = controller.period().filter(|period| !(*period > 0.0 && period.is_finite())) {
             return Err(PlantError::Period { period });
@@ -55,7 +56,7 @@ impl ControlLoop {
         Ok(Self { controller, asked: None, before: held.clone(), now: held.clone(), answer: held, seen })
     }
 
-    /// Goes back to before the first question, the winches where they stand.
+    /// Resets the loop to before its first call, with the winches at their present lengths.
     pub(super) fn reset(&mut self, state: &PlantState) {
         self.controller.reset();
         self.asked = None;
@@ -64,12 +65,12 @@ impl ControlLoop {
         }
     }
 
-    /// Times at which commands bend; `None` if only questions show it.
+    /// Times at which commands change their slope; `None` if they are known only from calls.
     pub(super) fn bends(&self) -> Option<&[f64]> {
         if self.controller.period().is_some() { None } else { self.controller.bends() }
     }
 
-    /// The first question after a time (s); `None` without a period.
+    /// Time of the first call after `time` (s); `None` without a period.
     pub(super) fn next_question(&self, time: f64) -> Option<f64> {
         let period = self.controller.period()?;
         Some(((time / period).floor() + 1.0) * period)
@@ -89,7 +90,7 @@ impl ControlLoop {
                 self.before.copy_from_slice(&self.answer);
                 self.ask(from, moment)?;
                 if last.is_none() {
-                    // there is no way from an answer that nobody gave
+                    // without an earlier answer there is no line to follow
                     self.before.copy_from_slice(&self.answer);
                 }
                 self.asked = Some((number, from));

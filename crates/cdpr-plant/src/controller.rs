@@ -1,11 +1,11 @@
-//! Controllers: from what is wanted and what is measured to commands to the winches.
+//! Controllers: from the setpoint and the measurements to commands to the winches.
 
 use super::command::Command;
 use super::error::ControlError;
 use super::sensors::Sensors;
 use cdpr_model::geometry::{Pose, Twist};
 
-/// Controller of a machine in time, with a state of its own. A [`Simulation`](super::Simulation) asks it for commands.
+/// Controller of a machine in time, with a state of its own. A [`Simulation`](super::Simulation) calls it for commands.
 ///
 /// ```
 /// use cdpr::plant::{Command, ControlError, Controller, RunEnd, Measured, Scenario, Setpoint, Simulation};
@@ -47,10 +47,10 @@ use cdpr_model::geometry::{Pose, Twist};
 /// # Ok::<_, Box<dyn std::error::Error>>(())
 /// ```
 pub trait Controller: std::fmt::Debug + Send + Sync {
-    /// Writes one command per cable. `out` holds the last ones; at first the lengths at which the winches stand.
+    /// Writes one command per cable. `out` holds the last commands; at first the present lengths of the winches.
     ///
-    /// Without a [period](Self::period) `time` (s) is the end of the step that the commands are for, and what is measured is of its start; with one
-    /// both are of the moment at which it begins.
+    /// Without a [period](Self::period), `time` (s) is the end of the step that the commands are for, and the
+    /// measurements are from its start. With a period, both are from the start of the period.
     fn command(
         &mut self,
         time: f64,
@@ -59,17 +59,18 @@ pub trait Controller: std::fmt::Debug + Send + Sync {
         out: &mut [Command],
     ) -> Result<(), ControlError>;
 
-    /// Time from one question to the next (s), counted from the start; `None` if it is asked for every step of the integrator.
+    /// Time between two calls (s), counted from the start; `None` to be called for every step of the integrator.
     fn period(&self) -> Option<f64>;
 
-    /// Goes back to before the first question.
+    /// Resets the controller to before its first call.
     fn reset(&mut self);
 
-    /// A controller of its own that goes on from the same state.
+    /// A copy of the controller with the same state.
     fn boxed_clone(&self) -> Box<dyn Controller>;
 
-    /// Times (s, ascending) between which the commands of a controller without a period are straight lines, whatever is measured: an integrator with error
-    /// control steps over all others. `None` if commands depend on more than time: it then asks at every step of the scenario.
+    /// Times (s, ascending) between which the commands of a controller without a period are linear, independent of
+    /// measurements: an integrator with error control then steps freely between them. `None` if commands depend on more
+    /// than time: the controller is then called at every step of the scenario.
     fn bends(&self) -> Option<&[f64]> {
         None
     }
@@ -102,7 +103,7 @@ impl Setpoint {
     }
 }
 
-/// View that a controller has of the machine: the true state, and the sensors of the scenario beside it.
+/// View of the machine for a controller: the true state, and the sensors of the scenario.
 #[derive(Clone, Copy, Debug)]
 #[non_exhaustive]
 pub struct Measured<'a> {
@@ -114,10 +115,10 @@ pub struct Measured<'a> {
     pub twist: Twist,
     /// Controlled lengths (m).
     pub lengths: &'a [f64],
-    /// Their rates (m/s), positive where cable is paid out.
+    /// Rates of the controlled lengths (m/s), positive if cable is paid out.
     pub length_rates: &'a [f64],
     /// Tensions at the outlets (N).
     pub tensions: &'a [f64],
-    /// Sensors with what they have seen up to now; `None` if the scenario has none.
+    /// Sensors with their readings so far; `None` if the scenario has none.
     pub sensors: Option<&'a Sensors>,
 }

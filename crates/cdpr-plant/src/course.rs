@@ -1,18 +1,18 @@
-//! Course of a run, from which its summary is made.
+//! Record of a run, from which its summary is made.
 
 use super::error::StepError;
 use super::events::Event;
 use super::state::PlantState;
 use super::violations::{Judge, Violation};
 
-/// How a run ended.
+/// Reason for which a run ended.
 #[derive(Clone, Debug, PartialEq)]
 pub enum RunEnd {
-    /// At the end of its time.
+    /// The run reached the end of its time.
     Completed,
-    /// Whoever watched it said so.
+    /// The caller stopped it.
     Stopped,
-    /// The machine could not go on.
+    /// The machine could not take another step.
     Failed(StepError),
 }
 
@@ -20,7 +20,7 @@ pub enum RunEnd {
 #[must_use = "check `end`: the machine may not have got to the end"]
 #[derive(Clone, Debug)]
 pub struct Summary {
-    /// How it ended.
+    /// Reason for which the run ended.
     pub end: RunEnd,
     /// Steps taken.
     pub steps: u64,
@@ -30,15 +30,16 @@ pub struct Summary {
     pub tension_max: f64,
     /// Events that happened.
     pub events: Vec<Event>,
-    /// Stretches of time in which tensions broke limits of the robot file after any step, or cables were slack; by time and cable.
+    /// Intervals of time in which tensions broke limits of the robot file or cables were slack, checked after each
+    /// step; sorted by time, then cable.
     pub violations: Vec<Violation>,
 }
 
-/// Course of a run so far.
+/// Record of a run up to the present step.
 #[derive(Clone, Debug)]
 pub(super) struct Course {
     pub(super) steps: u64,
-    /// Number of the event that comes next.
+    /// Index of the next event.
     pub(super) next: usize,
     pub(super) events: Vec<Event>,
     tension_min: f64,
@@ -47,12 +48,12 @@ pub(super) struct Course {
 }
 
 impl Course {
-    /// A course before its first step.
+    /// A record before the first step.
     pub(super) fn new(judge: Judge) -> Self {
         Self { steps: 0, next: 0, events: Vec::new(), tension_min: f64::INFINITY, tension_max: 0.0, judge }
     }
 
-    /// Looks at the state after a step.
+    /// Updates the record with the state after a step.
     pub(super) fn look(&mut self, state: &PlantState) {
         for cable in state.cables.iter().filter(|cable| !cable.is_broken) {
             self.tension_min = self.tension_min.min(cable.tension);

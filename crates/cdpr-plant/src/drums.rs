@@ -1,7 +1,7 @@
-//! Drums in time: I φ̈ = r f − τ − friction, with φ positive where cable is paid out and q_θ by the winch model.
+//! Drums in time: I φ̈ = r f − τ − friction, with φ positive if cable is paid out and q_θ from the winch model.
 //!
-//! Dry friction has sticking as a state: a drum that stands is held while the torque on it is below the friction of drum and pulley, and one whose
-//! speed changes sign within a step comes to rest at its end.
+//! Dry friction has sticking as a state: a drum at rest is held while its torque is below the friction of drum and
+//! pulley, and a drum whose speed changes sign within a step is at rest at its end.
 
 use super::command::Command;
 use super::error::StepError;
@@ -12,11 +12,11 @@ use super::state::PlantState;
 use super::step::added;
 use cdpr_model::geometry::{Twist, Wrench};
 
-/// Stages of the classical Runge–Kutta rule: share of the time at which a stage looks, and its weight.
+/// Stages of the classical Runge–Kutta rule: fraction of the time at which each stage lies, and its weight.
 const STAGES: [(f64, f64); 4] = [(0.0, 1.0), (0.5, 2.0), (0.5, 2.0), (1.0, 1.0)];
 
 impl Plant {
-    /// Which drums stand still over the step: those that friction, a brake or a stop holds.
+    /// Determines which drums stand still over the step: those held by friction, a brake or a stop.
     pub(super) fn prepare_drums(&self, state: &mut PlantState, commands: &[Command]) -> Result<(), StepError> {
         for (index, drum) in self.drums.iter().enumerate() {
             let cable = &mut state.cables[index];
@@ -38,7 +38,7 @@ impl Plant {
         Ok(())
     }
 
-    /// Drums whose friction turned them round come to rest.
+    /// Brings drums to rest whose speed changed sign by friction.
     pub(super) fn finish_drums(&self, state: &mut PlantState) {
         for (index, friction) in state.friction.iter().enumerate() {
             let cable = &mut state.cables[index];
@@ -48,7 +48,7 @@ impl Plant {
         }
     }
 
-    /// Forces at the pose act on platform and drums for a time (s).
+    /// Applies the forces at the pose to platform and drums for a time (s).
     pub(super) fn kick_drums(
         &self,
         state: &mut PlantState,
@@ -75,7 +75,7 @@ impl Plant {
         Ok(())
     }
 
-    /// Radii of the drums at their angles.
+    /// Computes the radii of the drums at their angles.
     fn look_at_drums(&self, state: &mut PlantState) -> Result<(), StepError> {
         for index in 0..self.drums.len() {
             let (_, radius) = self.drum_length(index, state.cables[index].drum_angle)?;
@@ -85,7 +85,8 @@ impl Plant {
         Ok(())
     }
 
-    /// Wrench of the cables on a platform with a twist (N, N·m); the accelerations of the drums stand in the state's work.
+    /// Wrench of the cables on a platform with a twist (N, N·m); the accelerations of the drums are stored in the
+    /// state's work memory.
     #[cfg(any(feature = "error-control", test))]
     pub(super) fn driven(
         &self,
@@ -97,7 +98,7 @@ impl Plant {
         Ok(self.accelerate(state, commands, twist, 0.0))
     }
 
-    /// Accelerations of the drums at a stage, and the wrench of the cables.
+    /// Computes the accelerations of the drums at a stage; returns the wrench of the cables.
     fn accelerate(&self, state: &mut PlantState, commands: &[Command], twist: &Twist, time: f64) -> Wrench {
         let mut wrench = Wrench::zeros();
         let pulls = &mut state.pulls;
@@ -124,7 +125,7 @@ impl Plant {
         wrench
     }
 
-    /// Controlled length at a drum angle and its derivative (rad → m, m/rad).
+    /// Controlled length at a drum angle (rad → m) and its derivative (m/rad).
     pub(super) fn drum_length(&self, cable: usize, angle: f64) -> Result<(f64, f64), StepError> {
         let gear = self.model.robot().cables[cable].winch.gear_ratio.unwrap_or(1.0);
         let drum = self.model.motor_angle_gradient(cable, angle * gear)?;
@@ -132,7 +133,7 @@ impl Plant {
         Ok((self.model.controlled_length(cable, drum.value), drum.by_angle / scale))
     }
 
-    /// The drums turn for a time (s).
+    /// Turns the drums at their speeds for a time (s).
     pub(super) fn drift_drums(&self, state: &mut PlantState, time: f64) -> Result<(), StepError> {
         for index in 0..self.drums.len() {
             let cable = &mut state.cables[index];

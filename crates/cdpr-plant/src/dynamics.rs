@@ -1,4 +1,5 @@
-//! The dynamics as functions: mass matrix, bias, forward and inverse dynamics in the degrees of freedom of the motion pattern.
+//! The dynamics as functions: mass matrix, bias, forward and inverse dynamics in the motion pattern's degrees of
+//! freedom.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -9,7 +10,7 @@ use cdpr_model::geometry::{Pose, Twist, Wrench};
 use cdpr_model::model::Model;
 
 impl Inertia {
-    /// n(x, v, ω): what M(x) \[v̇; ω̇\] leaves of the wrench about the platform origin (world axes; N, N·m),
+    /// Bias n(x, v, ω) in M(x) \[v̇; ω̇\] + n = wrench, about the platform origin (world axes; N, N·m):
     /// \[m ω × (ω × s) + D_lin v; ω × J ω + m s × (ω × (ω × s)) + D_rot ω\].
     pub fn bias(&self, pose: &Pose, twist: &Twist) -> Wrench {
         let omega = twist.fixed_rows::<3>(3).into_owned();
@@ -26,8 +27,8 @@ impl Inertia {
         DMatrix::from_fn(basis.len(), basis.len(), |row, column| basis[row].dot(&(matrix * basis[column])))
     }
 
-    /// Acceleration \[v̇; ω̇\] of the platform origin under a wrench (world axes, moment about the platform origin; N, N·m), cables and load
-    /// together: of a motion pattern the acceleration in its degrees of freedom.
+    /// Acceleration \[v̇; ω̇\] of the platform origin under the total wrench of cables and load (world axes, moment
+    /// about the platform origin; N, N·m), restricted to the degrees of freedom of the motion pattern.
     pub fn acceleration(&self, model: &Model, pose: &Pose, twist: &Twist, wrench: &Wrench) -> Twist {
         let basis = model.twist_basis();
         let rest = wrench - self.bias(pose, twist);
@@ -37,16 +38,16 @@ impl Inertia {
         basis.iter().zip(&rates).map(|(twist, rate)| twist * *rate).sum()
     }
 
-    /// Wrench that gives the platform an acceleration (world axes, moment about the platform origin; N, N·m): the inverse of
-    /// [`Inertia::acceleration`]. A pattern that does not move in some direction takes what acts there.
+    /// Wrench that gives the platform an acceleration (world axes, moment about the platform origin; N, N·m): the
+    /// inverse of [`Inertia::acceleration`]. Components in directions in which the pattern does not move are reactions.
     pub fn wrench_of_acceleration(&self, pose: &Pose, twist: &Twist, acceleration: &Twist) -> Wrench {
         self.mass_matrix(pose) * acceleration + self.bias(pose, twist)
     }
 }
 
 impl Plant {
-    /// Acceleration \[v̇; ω̇\] of the platform origin (world axes; m/s², rad/s²) in a state, whose lengths and tensions are observed, under a further
-    /// wrench (world axes, moment about the platform origin; N, N·m).
+    /// Acceleration \[v̇; ω̇\] of the platform origin (world axes; m/s², rad/s²) in a state with observed lengths and
+    /// tensions, under a further wrench (world axes, moment about the platform origin; N, N·m).
     pub fn acceleration(&self, state: &PlantState, further: &Wrench) -> Twist {
         let twist = state.twist();
         let cables = match self.dissipates {

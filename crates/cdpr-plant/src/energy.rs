@@ -1,4 +1,4 @@
-//! Energy of a machine, to see that none comes from nowhere.
+//! Energy of a machine, to check its conservation.
 
 use super::cable_motion::CableMotion;
 use super::plant::Plant;
@@ -7,22 +7,23 @@ use super::state::PlantState;
 /// Energy of a machine (J).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Energy {
-    /// Of the moving platform and the turning drums.
+    /// Kinetic energy of the platform and the drums.
     pub kinetic: f64,
-    /// Stored in the cables at their controlled lengths.
+    /// Elastic energy of the cables at their controlled lengths.
     pub elastic: f64,
-    /// Of the platform's weight and of constant forces, zero at the world's origin; moments of constant direction have none.
+    /// Potential of the platform's weight and of constant forces, zero at the world's origin; moments of constant
+    /// direction have none.
     pub potential: f64,
 }
 
 impl Energy {
-    /// Sum of all kinds (J).
+    /// Sum of all three (J).
     pub fn total(&self) -> f64 {
         self.kinetic + self.elastic + self.potential
     }
 }
 
-/// Gauss and Legendre's five points on \[−1, 1\] and their weights: exact to the ninth power of the elongation.
+/// Gauss–Legendre rule of five points on \[−1, 1\] with its weights: exact to the ninth power of the elongation.
 const GAUSS: [(f64, f64); 5] = [
     (0.0, 128.0 / 225.0),
     (0.538_469_310_105_683_1, 0.478_628_670_499_366_5),
@@ -32,7 +33,7 @@ const GAUSS: [(f64, f64); 5] = [
 ];
 
 impl Plant {
-    /// Energy of a state; `None` if tensions are no function of lengths alone: with hysteresis and with sag.
+    /// Energy of a state; `None` if tensions do not depend on lengths alone, as with hysteresis and with sag.
     pub fn energy(&self, state: &PlantState) -> Option<Energy> {
         if self.sags || state.cables.iter().any(|cable| cable.memory.is_some()) {
             return None;
@@ -56,7 +57,7 @@ impl Plant {
         Some(Energy { kinetic, elastic, potential })
     }
 
-    /// ∫ f dq from the slack length on.
+    /// Elastic energy ∫ f dq of a cable, from the slack length to its present length (J).
     fn elastic_energy(&self, index: usize, cable: &CableMotion) -> f64 {
         let unstrained = cable.unstrained_length();
         let half = 0.5 * (cable.length - unstrained);

@@ -1,4 +1,4 @@
-//! Machines that cannot move, and scenarios that cannot be run.
+//! Errors of machines that cannot move and of scenarios that cannot be run.
 
 use thiserror::Error;
 
@@ -12,7 +12,7 @@ use cdpr_model::statics::{LoadError, StaticsError};
 /// Key of a scenario file.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct ScenarioKey {
-    /// Table, without brackets; tables within tables after points.
+    /// Table, without brackets; nested tables are separated by points.
     pub table: &'static str,
     /// Position in a list of tables, from 0.
     pub index: Option<usize>,
@@ -27,22 +27,22 @@ impl ScenarioKey {
     }
 }
 
-/// Mistake in a machine or a scenario.
+/// Error in a machine or a scenario.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum PlantError {
     /// A value of the scenario that cannot be used.
     #[error("{message}")]
     Value {
-        /// Its place.
+        /// Key with the value.
         key: ScenarioKey,
-        /// Mistake and remedy.
+        /// Error and remedy.
         message: String,
     },
-    /// Components of a pose.
+    /// Components of a pose that do not fit the motion pattern.
     #[error("{reason}")]
     Components {
-        /// Its place.
+        /// Key with the components.
         key: ScenarioKey,
         /// Reason.
         reason: PatternError,
@@ -59,7 +59,7 @@ pub enum PlantError {
     /// The load on the platform is unknown.
     #[error(transparent)]
     Load(#[from] LoadError),
-    /// Cables that do not stretch have no tension of their own to move a platform with.
+    /// Cables that do not stretch: their tension does not follow from their length, so it cannot move a platform.
     #[error(
         "cable {cable} does not stretch in the model `{composition}`, so that its tension does not follow from its length; use a model with \
          {}, and give the cable a stiffness",
@@ -71,7 +71,7 @@ pub enum PlantError {
         /// Effects of the model.
         composition: String,
     },
-    /// A drum without inertia.
+    /// A drum without radius or inertia.
     #[error(
         "winches = \"drums\" needs `{key}`, which cable {cable} (\"{name}\") does not have; add the key to its [[cable]] table or to \
          [cable_defaults], or use winches = \"ideal\""
@@ -84,19 +84,19 @@ pub enum PlantError {
         /// Name of the cable.
         name: String,
     },
-    /// A length that the drum does not hold.
+    /// A length that the drum cannot hold.
     #[error(transparent)]
     Winch(#[from] WinchError),
-    /// The start is no equilibrium of the cables.
+    /// The start is not an equilibrium of the cables.
     #[error("there is no equilibrium to start from: {0}")]
     Start(#[from] control::InputError),
-    /// A cable that cannot be as the start asks.
+    /// A cable that has no state at the start.
     #[error("there is no equilibrium to start from: {0}")]
     Cable(#[from] StaticsError),
-    /// A controller whose period is no time.
+    /// A controller whose period is not a positive time.
     #[error("the controller is to be asked every {period} s; a period is a time above 0 s")]
     Period {
-        /// Its period (s).
+        /// Period of the controller (s).
         period: f64,
     },
     /// The step is too large for the fastest motion of the machine.
@@ -113,7 +113,7 @@ pub enum PlantError {
     },
 }
 
-/// Reason of a controller that has no command.
+/// Reason for which a controller has no command.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error("{reason}")]
 pub struct ControlError {
@@ -127,7 +127,7 @@ impl ControlError {
     }
 }
 
-/// Mistakes that keep a machine from its first step.
+/// Errors that prevent the first step of a machine.
 impl From<StepError> for PlantError {
     fn from(error: StepError) -> Self {
         match error {
@@ -139,7 +139,7 @@ impl From<StepError> for PlantError {
 }
 
 impl PlantError {
-    /// Place in the scenario, where the mistake has one.
+    /// Key in the scenario at which the error lies; `None` if there is none.
     pub fn key(&self) -> Option<ScenarioKey> {
         match self {
             Self::Value { key, .. } | Self::Components { key, .. } => Some(*key),
@@ -151,17 +151,17 @@ impl PlantError {
     }
 }
 
-/// Why a machine cannot take another step.
+/// Reason for which a machine cannot take another step.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum StepError {
-    /// A cable has no path, or no shape, where the platform came to.
+    /// A cable has no path, or no shape, at the pose that the platform reached.
     #[error(transparent)]
     Cable(#[from] StaticsError),
     /// A drum has run out of its groove.
     #[error(transparent)]
     Winch(#[from] WinchError),
-    /// A winch that reels in more than there is.
+    /// A winch that reels in more cable than there is.
     #[error(
         "cable {cable} has no length left: its winch would come to {length:.3} m; check signs and units of the commands, and torques against the load"
     )]
@@ -179,12 +179,12 @@ pub enum StepError {
         /// Turn within a step (rad).
         turn: f64,
     },
-    /// Numbers grew beyond all bounds.
+    /// The motion overflowed.
     #[error(
         "the motion grew beyond all numbers: the step is too large for what the machine came to, or a load is not plausible"
     )]
     Overflow,
-    /// No step is small enough for a tolerance.
+    /// No step of the integrator is small enough for the tolerance.
     #[error(
         "no step of the integrator keeps its error below {tolerance:e}: the machine is too stiff for it, or its forces jump; use a larger \
          tolerance, or integrator = \"symplectic\""
@@ -205,7 +205,7 @@ pub enum StepError {
         /// Kind of winches that follows the command.
         others: &'static str,
     },
-    /// A command that is no number.
+    /// A command that is not a finite number.
     #[error("cable {cable} is commanded {number}; commands are finite numbers")]
     NotFinite {
         /// Number of the cable, from 1.
@@ -216,7 +216,7 @@ pub enum StepError {
     /// The controller has no command.
     #[error("the controller has no command: {0}")]
     Control(#[from] ControlError),
-    /// Not one command per cable.
+    /// The number of commands is not one per cable.
     #[error("{found} commands are given, the robot has {expected} cables: give one per cable")]
     Count {
         /// Cables of the robot.

@@ -1,4 +1,4 @@
-//! Codes of what machines in time and their scenarios refuse.
+//! Codes of the errors of machines in time and their scenarios.
 
 use cdpr_model::reading::ErrorCode;
 

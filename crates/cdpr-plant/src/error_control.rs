@@ -1,7 +1,7 @@
 //! Motion by a library's integrator with error control: the reference of the symplectic step, and free runs.
 //!
-//! Dormand and Prince's rule of order eight (crate `differential-equations`, decision 0042) on position, quaternion, momentum per mass, and the
-//! angles and speeds of the drums, with the forces of [`Plant::step`].
+//! Dormand and Prince's rule of order eight (crate `differential-equations`, decision 0042) on position, quaternion,
+//! momentum per mass, and the angles and speeds of the drums, with the forces of [`Plant::step`].
 
 use std::cell::RefCell;
 
@@ -15,29 +15,30 @@ use super::plant::Plant;
 use super::state::PlantState;
 use cdpr_model::geometry::{Pose, Wrench};
 
-/// Most steps of a passage, a second of work.
+/// Most steps of a passage, about a second of work.
 const STEPS: usize = 100_000;
 
-/// Numbers of the platform before those of the drums.
+/// Count of the platform's numbers, which precede those of the drums.
 const PLATFORM: usize = 13;
 
-/// Time that a machine passes with error control.
+/// Interval of time that a machine passes with error control.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Passage {
-    /// Its length (s).
+    /// Length of the interval (s).
     pub(super) time: f64,
-    /// Error that a step may have in m, rad, m/s and rad/s, and relative to them.
+    /// Error that a step may have: absolute in m, rad, m/s and rad/s, and relative.
     pub(super) tolerance: f64,
-    /// Wrenches besides that of the state at both ends, straight between them (world axes, moment about the platform origin; N, N·m).
+    /// Wrenches in addition to that of the state at both ends, linear between them (world axes, moment about the
+    /// platform origin; N, N·m).
     pub(super) wrenches: [Wrench; 2],
 }
 
 impl Plant {
-    /// Leads a state on with error control and shows it after every step but the last; the number of steps taken. Ideal winches go evenly to the
-    /// commanded lengths, as in [`Plant::step`].
+    /// Advances a state with error control and passes it to `look` after every step but the last; returns the number of
+    /// steps. Ideal winches approach the commanded lengths at a constant rate, as in [`Plant::step`].
     ///
-    /// Forces must not jump: dry friction of drums does, and memories of cables stay as they are until the end. After an error the state is the one
-    /// before.
+    /// Forces must not jump, as they do with dry friction of drums; memories of cables change only at the end. After an
+    /// error the state is unchanged.
     pub(super) fn advance(
         &self,
         state: &mut PlantState,
@@ -76,7 +77,7 @@ impl Plant {
         let solved = IVP::ode(&equations, 0.0, passage.time, start).method(method).solve();
         let ended = solved.ok().and_then(|mut solution| Some((solution.y.pop()?, solution)));
         let Some((last, solution)) = ended else {
-            // a cable without a path ends the motion, if smaller steps did not lead past that place
+            // a cable without a path ends the motion, unless smaller steps lead past that pose
             return Err(equations.work.into_inner().error.unwrap_or(StepError::Tolerance { tolerance }));
         };
         let between = solution.t.iter().copied().zip(&solution.y).filter(|(time, _)| *time > 0.0);
@@ -101,7 +102,7 @@ fn numbers(plant: &Plant, state: &PlantState) -> Vec<f64> {
     numbers
 }
 
-/// Equations of motion, with a state to work in.
+/// Equations of motion, with a state as work memory.
 struct Equations<'a> {
     plant: &'a Plant,
     commands: &'a [Command],
@@ -113,19 +114,19 @@ struct Equations<'a> {
 
 struct Work {
     state: PlantState,
-    /// The first reason why forces were unknown.
+    /// The first error in the evaluation of forces.
     error: Option<StepError>,
 }
 
 impl Equations<'_> {
-    /// Refuses starts at which nothing finite follows: the library would seek a step for ever.
+    /// Checks that the rates at the start are finite: the library would search for a step forever.
     fn check(&self, start: &[f64]) -> Result<(), StepError> {
         let mut rates = vec![0.0; start.len()];
         self.rates(&mut self.work.borrow_mut().state, 0.0, start, &mut rates)?;
         if rates.iter().all(|rate| rate.is_finite()) { Ok(()) } else { Err(StepError::Overflow) }
     }
 
-    /// Shows the machine at times of the passage.
+    /// Passes the machine at times of the passage to `look`.
     fn show<'n>(
         &self,
         times: impl Iterator<Item = (f64, &'n Vec<f64>)>,
@@ -142,11 +143,11 @@ impl Equations<'_> {
         Ok(())
     }
 
-    /// Brings a state to a time of the passage.
+    /// Sets a state to a time of the passage.
     fn place(&self, state: &mut PlantState, time: f64, numbers: &[f64]) -> Result<(), StepError> {
         let vector = |first: usize| Vector3::new(numbers[first], numbers[first + 1], numbers[first + 2]);
         let pose = Pose::from_numbers(std::array::from_fn(|k| numbers[k]));
-        // the quaternion is as long as the tolerance lets it be
+        // the integrator keeps the quaternion's norm only to the tolerance
         state.pose = Pose { rotation: UnitQuaternion::new_normalize(*pose.rotation.quaternion()), ..pose };
         let mass = state.inertia.body.mass;
         state.momentum = Momentum { linear: vector(7) * mass, angular: vector(10) * mass };
@@ -194,7 +195,7 @@ impl ODE<f64, Vec<f64>> for Equations<'_> {
     fn diff(&self, time: f64, numbers: &Vec<f64>, rates: &mut Vec<f64>) {
         let work = &mut *self.work.borrow_mut();
         if let Err(error) = self.rates(&mut work.state, time, numbers, rates) {
-            // no error is small enough of what is no number: the step is tried again with half its length and less
+            // NaN has no error small enough: the integrator tries the step again at half its length and less
             rates.fill(f64::NAN);
             work.error.get_or_insert(error);
         }

@@ -1,28 +1,28 @@
-//! Friction of a drum and of the pulley that its cable runs over.
+//! Friction of a drum and of the pulley over which its cable runs.
 //!
-//! A drum that turns has the torque sign(φ̇) (T_c + (T_s − T_c) exp(−(φ̇/φ̇_s)²)) + d φ̇ (Coulomb, Stribeck, viscous), and its cable the tension
-//! f exp(∓μ β) where it pays out or reels in (Euler and Eytelwein, β the wrap angle). Sticking is a state: a drum that stands is held while its
-//! torque lies between those at which it would begin to turn.
+//! A turning drum has the torque sign(φ̇) (T_c + (T_s − T_c) exp(−(φ̇/φ̇_s)²)) + d φ̇ (Coulomb, Stribeck, viscous), and
+//! its cable the tension f exp(∓μ β) if it is paid out or reeled in (Euler and Eytelwein, β the wrap angle). Sticking
+//! is a state: a drum at rest is held while its torque lies between the torques at which it would begin to turn.
 
 use cdpr_model::robot::Cable;
 
 /// Friction of one winch.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Friction {
-    /// T_c: dry friction of a drum that turns (N·m).
+    /// T_c: dry friction of a turning drum (N·m).
     pub(super) coulomb: f64,
-    /// T_s: dry friction of one that stands (N·m).
+    /// T_s: dry friction of a drum at rest (N·m).
     pub(super) standing: f64,
     /// φ̇_s: Stribeck speed (rad/s).
     pub(super) stribeck: f64,
     /// d: torque per speed (N·m·s/rad).
     pub(super) viscous: f64,
-    /// μ of the pulley.
+    /// μ: friction coefficient of the pulley.
     pub(super) pulley: f64,
 }
 
 impl Friction {
-    /// Friction that the robot file states; zero if it states none, of pulleys if the model has none.
+    /// Friction in the robot file; zero where the file has none, and for pulleys if the model has none.
     pub(super) fn of(cable: &Cable, has_pulley: bool) -> Self {
         let coulomb = cable.winch.coulomb_friction.unwrap_or(0.0);
         Self {
@@ -34,12 +34,12 @@ impl Friction {
         }
     }
 
-    /// True where the force jumps with the direction.
+    /// True if the force jumps with the direction.
     pub(super) fn is_dry(&self) -> bool {
         self.standing > 0.0 || self.pulley > 0.0
     }
 
-    /// Torque that a drum of a speed (rad/s) takes, against this direction (N·m).
+    /// Friction torque of a drum at a speed (rad/s), against this direction (N·m).
     #[inline]
     pub(super) fn torque(&self, speed: f64, direction: f64) -> f64 {
         let dry = match self.standing > self.coulomb {
@@ -49,13 +49,15 @@ impl Friction {
         self.viscous * speed + dry * direction.signum()
     }
 
-    /// Tension at the drum over that at the outlet, of a cable that is wrapped by an angle (rad) and paid out (positive direction) or reeled in.
+    /// Ratio of the tension at the drum to that at the outlet, for a cable with a wrap angle (rad) that is paid out
+    /// (positive direction) or reeled in.
     #[inline]
     pub(super) fn passed_on(&self, wrap: f64, direction: f64) -> f64 {
         if self.pulley == 0.0 { 1.0 } else { (-self.pulley * wrap * direction.signum()).exp() }
     }
 
-    /// True where a drum that stands stays: under the torque of its cable as the outlet has it and that of its motor (N·m).
+    /// True if a drum at rest stays at rest, under the torque of its cable's outlet tension and that of its motor
+    /// (N·m).
     pub(super) fn holds(&self, cable: f64, wrap: f64, motor: f64) -> bool {
         let out = cable * self.passed_on(wrap, 1.0) - motor;
         let back = cable * self.passed_on(wrap, -1.0) - motor;

@@ -1,8 +1,8 @@
-//! Stages cut where a cable goes slack or taut: the force has a kink there, which costs a step that runs over it two of its orders.
+//! Stages cut where a cable goes slack or taut: the force has a kink there, and a step across it loses two orders.
 //!
-//! A cable that is taut at one end of the stages and slack at the other has its kink between. One that goes slack and taut again (or the other way
-//! round) shows it in the middle: the parabola through both ends and the middle turns on the other side of zero. The stages are cut there, and either
-//! part then has a kink that its ends show.
+//! A cable that is taut at one end of the stages and slack at the other has its kink between. A cable that goes slack
+//! and taut again (or the reverse) shows it in the middle: the parabola through both ends and the middle has its
+//! extremum on the other side of zero. The stages are cut there, and each part then has a kink that its ends show.
 
 use super::command::Command;
 use super::error::StepError;
@@ -12,27 +12,27 @@ use super::stage_start::CableStart;
 use super::state::PlantState;
 use super::step::MIDDLE_AHEAD;
 
-/// Cuts of a step, at most; more cables than these seldom change sides within one.
+/// Most cuts of a step; more cables seldom change sides within one.
 const CUTS: usize = 8;
 
-/// Share of a step next to its ends in which a kink is left: what it costs falls with the square.
+/// Fraction of a step next to its ends in which a kink is not cut: its error falls with the square.
 const END: f64 = 1e-3;
 
-/// Looks for the place of a kink, each of which comes some hundred times nearer.
+/// Iterations for the position of a kink, each of which is some hundred times more accurate.
 const LOOKS: usize = 3;
 
-/// Cables that change sides within the stages, each with the share of them after which it seems to.
+/// Cables that change sides within the stages, each with the fraction of the stages at which it appears to do so.
 struct Changes {
-    /// The first one whose ends show it.
+    /// The first cable whose ends show a kink.
     kink: Option<(usize, f64)>,
-    /// The first one that turns on the other side.
+    /// The first cable with an extremum on the other side.
     turn: Option<(usize, f64)>,
 }
 
 impl Plant {
-    /// Stages over a time (s), cut at kinks.
+    /// Runs the stages over a time (s), cut at kinks.
     pub(super) fn pass_kinks(&self, state: &mut PlantState, commands: &[Command], time: f64) -> Result<(), StepError> {
-        // time up to the next turn of a cable on the other side, and behind it
+        // time up to the next extremum of a cable on the other side, and after it
         let (mut left, mut behind) = (time, 0.0);
         // cables with weight are never slack
         for _ in 0..if self.sags { 0 } else { CUTS } {
@@ -74,7 +74,7 @@ impl Plant {
         state.pulls.is_current = false;
     }
 
-    /// Law and damper of a cable before they are clipped (N), at the pose that its pulls were found for.
+    /// Tension of law and damper of a cable before clipping (N), at the pose for which the pulls were computed.
     #[inline]
     pub(super) fn unclipped(&self, state: &PlantState, cable: usize) -> f64 {
         let law = &state.pulls.laws[cable];
@@ -85,7 +85,7 @@ impl Plant {
         law.tension + law.damping * (rate - state.cables[cable].controlled_length_rate)
     }
 
-    /// Cables that changed sides between the ends of the stages, or seem to have done so twice.
+    /// Cables that changed sides between the ends of the stages, or appear to have done so twice.
     #[inline]
     fn changes(&self, state: &PlantState) -> Changes {
         let mut changes = Changes { kink: None, turn: None };
@@ -105,7 +105,7 @@ impl Plant {
         changes
     }
 
-    /// Stages up to a kink, sought from its first guess; the share of the time gone.
+    /// Runs the stages up to a kink, sought from a first guess; returns the fraction of the time passed.
     fn go_to_kink(
         &self,
         state: &mut PlantState,
@@ -133,8 +133,8 @@ impl Plant {
         Ok(fraction)
     }
 
-    /// The share of the stages after which a cable that ends on its side turns on the other one; the state is back at their start then, and else at
-    /// their end.
+    /// The fraction of the stages at which a cable that ends on its own side has an extremum on the other one; `None`
+    /// if there is none. The state is back at the start of the stages if there is one, else at their end.
     fn turn_on_other_side(
         &self,
         state: &mut PlantState,
@@ -155,10 +155,11 @@ impl Plant {
     }
 }
 
-/// Place of the extremum that lies on the other side of zero than both ends, of the parabola through ends and middle; `None` if there is none.
+/// Position of the extremum of the parabola through ends and middle, if it lies on the other side of zero than both
+/// ends; else `None`.
 #[inline]
 fn turn(start: f64, middle: f64, end: f64) -> Option<f64> {
-    // the kick in the middle stands where a constant acceleration has led its pose too far
+    // the kick in the middle lies where a constant acceleration has moved its pose too far
     const SCALE: f64 = 1.0 / (1.0 - 8.0 * MIDDLE_AHEAD);
     let middle = (middle - 4.0 * MIDDLE_AHEAD * (start + end)) * SCALE;
     let (across, bend) = (end - start, start + end - 2.0 * middle);
@@ -167,8 +168,8 @@ fn turn(start: f64, middle: f64, end: f64) -> Option<f64> {
     if turns { Some(0.5 - across / (4.0 * bend)) } else { None }
 }
 
-/// Place of zero of the parabola through three points of ascending places, whose outer ones lie on different sides; by a straight line where rounding
-/// leaves none.
+/// Position of the zero of the parabola through three points at ascending positions, whose outer ones lie on different
+/// sides; from a straight line if rounding leaves no parabola.
 fn crossing(before: (f64, f64), found: (f64, f64), after: (f64, f64)) -> f64 {
     let slope = |a: (f64, f64), b: (f64, f64)| (b.1 - a.1) / (b.0 - a.0);
     let (first, second) = (slope(before, found), slope(found, after));
@@ -203,7 +204,7 @@ mod tests {
         let bent = |t: f64, turn: f64, deep: f64| (t - turn) * (t - turn) - deep;
         for sign in [1.0, -1.0] {
             for (at, deep, turns) in [(0.4, 0.1, true), (0.4, -0.1, false), (0.7, 0.05, true), (0.4, 0.2, false)] {
-                // the middle as the stages see it, ahead by the acceleration 2
+                // the middle in the stages, ahead by the acceleration 2
                 let seen = bent(0.5, at, deep) + 2.0 * MIDDLE_AHEAD;
                 let found = turn(sign * bent(0.0, at, deep), sign * seen, sign * bent(1.0, at, deep));
                 assert_eq!(found.is_some(), turns, "{at} {deep}: {found:?}");

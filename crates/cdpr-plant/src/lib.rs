@@ -1,11 +1,14 @@
 //! The virtual machine in time: a rigid platform on cables of any composition, with ideal winches or drums.
 //!
-//! [`Plant`] is immutable, a [`PlantState`] belongs to the caller, and [`Plant::step`] leads from one state to the next without claiming memory:
+//! [`Plant`] is immutable, a [`PlantState`] belongs to the caller, and [`Plant::step`] advances a state without
+//! allocating memory:
 //!
 //! M(x) \[v̇; ω̇\] + n(x, ω) = Σ fᵢ \[uᵢ; bᵢ × uᵢ\] + w(x, t),  fᵢ = max(0, law(qᵢ, q_θ,ᵢ) + dᵢ (q̇ᵢ − q̇_θ,ᵢ)),
 //!
-//! with the laws, outlets and loads of the static library: at rest the plant is [`Model::forward`](cdpr_model::model::Model::forward). The integrator is a
-//! symmetric, symplectic composition of order four (decision 0039); a library's rule with error control is the reference (decision 0042). [`Scenario`] is a file that says what happens, [`Simulation`] runs it.
+//! with the laws, outlets and loads of the static library: at rest the plant agrees with
+//! [`Model::forward`](cdpr_model::model::Model::forward). The integrator is a symmetric, symplectic composition of
+//! order four (decision 0039); a library's rule with error control is the reference (decision 0042). [`Scenario`] is
+//! the file of a run, [`Simulation`] runs it.
 
 mod cable_motion;
 mod command;

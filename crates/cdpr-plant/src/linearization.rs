@@ -1,4 +1,4 @@
-//! Linearisation about an equilibrium: how small motions of platform and drums go on.
+//! Linearisation about an equilibrium: small motions of platform and drums.
 
 use nalgebra::{Complex, DMatrix, DVector};
 
@@ -10,13 +10,14 @@ use cdpr_model::geometry::Twist;
 use cdpr_model::scalar::decomposition::eigenvalues;
 use cdpr_model::statics::{StaticsError, axial_stiffness, indifferent_stiffness};
 
-/// ω h up to which a step is sensible: four digits of the period, and three times as much before the motion grows.
+/// Largest sensible ω h: four digits of the period; at three times that value the motion grows.
 pub(super) const SENSIBLE: f64 = 1.0;
 
-/// M δz̈ + D δż + K δz = input about an equilibrium, z the displacement \[δr; δφ\] in the n degrees of freedom, then the angles of the drums
-/// where there are some.
+/// M δz̈ + D δż + K δz = input about an equilibrium, with z the displacement \[δr; δφ\] in the n degrees of freedom,
+/// followed by the angles of the drums if there are any.
 ///
-/// Ideal winches make inputs of controlled lengths: − K_wq δq_θ − D_q δq̇_θ stands on the right; drums make inputs of torques.
+/// For ideal winches controlled lengths are inputs: −K_wq δq_θ − D_q δq̇_θ on the right-hand side; for drums torques
+/// are.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Linearization {
     /// M, symmetric (kg, kg·m, kg·m²).
@@ -27,19 +28,21 @@ pub struct Linearization {
     pub stiffness: DMatrix<f64>,
     /// Degrees of freedom n of the platform.
     pub dof: usize,
-    /// Change of the generalised force per wrench in the n degrees of freedom, then per controlled length (ideal winches) or torque of a motor.
+    /// Change of the generalised force per wrench in the n degrees of freedom, then per controlled length (ideal
+    /// winches) or motor torque.
     pub inputs: DMatrix<f64>,
-    /// Change of the generalised force per rate of a controlled length; no columns with drums.
+    /// Change of the generalised force per rate of a controlled length; no columns for drums.
     pub rate_inputs: DMatrix<f64>,
-    /// Way per unit of z (m): 1 of translations, the platform radius of turns, the radius of drums.
+    /// Path length per unit of z (m): 1 for translations, the platform radius for rotations, the drum's radius for
+    /// drums.
     pub(super) ways: DVector<f64>,
-    /// Stiffness that counts as none (N/m), as in [`Stiffness`](cdpr_model::statics::Stiffness).
+    /// Stiffness that counts as zero (N/m), as in [`Stiffness`](cdpr_model::statics::Stiffness).
     pub indifferent_stiffness: f64,
 }
 
 impl Plant {
-    /// Linearisation about a state, its cables taut or slack as they are: of the laws, the geometry, the weight's moment, dampers and drums. The twist
-    /// of the state does not count.
+    /// Linearisation about a state, with its cables taut or slack as they are: of the laws, the geometry, the weight's
+    /// moment, dampers and drums. The twist of the state has no effect.
     pub fn linearize(&self, state: &PlantState) -> Result<Linearization, PlantError> {
         let basis = self.model.twist_basis();
         let (n, m) = (basis.len(), self.model.cable_count());
@@ -73,7 +76,7 @@ impl Plant {
         Ok(linear)
     }
 
-    /// Ways of platform and drums per unit of z (m).
+    /// Path lengths of platform and drums per unit of z (m).
     fn ways(&self, state: &PlantState) -> Result<DVector<f64>, PlantError> {
         let (translations, radius) = (self.model.robot().motion_pattern.translations(), self.model.platform_radius());
         let of_platform = (0..self.model.dof()).map(|row| Ok(if row < translations { 1.0 } else { radius }));
@@ -82,7 +85,7 @@ impl Plant {
         Ok(ways.into())
     }
 
-    /// Size of the forces that load the platform (N).
+    /// Magnitude of the forces that load the platform (N).
     fn force(&self, state: &PlantState) -> f64 {
         let added = self.gravity.norm() * state.added.mass.abs();
         self.load.force() + added + state.external.fixed_rows::<3>(0).norm()
@@ -97,7 +100,7 @@ impl Plant {
         gradient
     }
 
-    /// The share of one cable and its drum.
+    /// Adds the contribution of one cable and its drum.
     fn add_cable(
         &self,
         linear: &mut Linearization,
@@ -137,7 +140,7 @@ impl Plant {
         let (row, angle) = (n + cable, state.cables[cable].drum_angle);
         let radius = |angle: f64| self.drum_length(cable, angle).map(|(_, radius)| radius);
         let r = radius(angle)?;
-        // a groove's radius changes so slowly that rounding would show in smaller steps
+        // a groove's radius changes so slowly that rounding would dominate smaller steps
         let by_angle = (radius(angle + 1e-3)? - radius(angle - 1e-3)?) / 2e-3;
         linear.mass[(row, row)] = drum.inertia;
         linear.inputs[(row, n + cable)] = -drum.gear;
@@ -148,7 +151,7 @@ impl Plant {
             linear.damping[(k, row)] += column[k] * damping * r;
             linear.damping[(row, k)] += column[k] * damping * r;
         }
-        // T of the outlet: δT = (δq_θ − c·δx)/c_T at lengths q_θ(x, T)
+        // at fixed lengths q_θ(x, T), the outlet tension T changes by δT = (δq_θ − c·δx)/c_T
         if let Some(pull) = pull {
             let (by_pose, by_tension) = (pull.controlled_length_by_pose(), pull.controlled_length_by_tension);
             linear.stiffness[(row, row)] -= r * r / by_tension;
@@ -159,7 +162,7 @@ impl Plant {
         Ok(())
     }
 
-    /// The cable at its lengths with all derivatives; `None` if it is slack.
+    /// State of the cable at its lengths with all derivatives; `None` if it is slack.
     fn pull_of(&self, state: &PlantState, cable: usize) -> Result<Option<CableState>, PlantError> {
         let motion = &state.cables[cable];
         if !self.sags && !(state.pulls.laws[cable].tension > 0.0) {
@@ -177,12 +180,12 @@ impl Plant {
 }
 
 impl Linearization {
-    /// Size of z.
+    /// Number of entries of z.
     pub fn size(&self) -> usize {
         self.mass.nrows()
     }
 
-    /// A of ẏ = A y + B u with y = \[δz; δż\]; `None` if the mass matrix is singular.
+    /// System matrix A of ẏ = A y + B u with y = \[δz; δż\]; `None` if the mass matrix is singular.
     pub fn system_matrix(&self) -> Option<DMatrix<f64>> {
         let size = self.size();
         let inverse = self.mass.clone().try_inverse()?;
@@ -193,7 +196,8 @@ impl Linearization {
         Some(matrix)
     }
 
-    /// B of ẏ = A y + B u, with u = \[wrench; controlled lengths or torques; rates of controlled lengths\].
+    /// Input matrix B of ẏ = A y + B u, with u = \[wrench; controlled lengths or torques; rates of controlled
+    /// lengths\]; `None` if the mass matrix is singular.
     pub fn input_matrix(&self) -> Option<DMatrix<f64>> {
         let size = self.size();
         let inverse = self.mass.clone().try_inverse()?;
@@ -204,12 +208,12 @@ impl Linearization {
         Some(matrix)
     }
 
-    /// Eigenvalues of A (1/s); `None` if they cannot be found.
+    /// Eigenvalues of A (1/s); `None` if they were not found.
     pub fn eigenvalues(&self) -> Option<Vec<Complex<f64>>> {
         eigenvalues(self.system_matrix()?)
     }
 
-    /// Largest sensible step of [`Plant::step`] (s), by the fastest motion; `None` if there is none.
+    /// Largest sensible step of [`Plant::step`] (s), from the fastest motion; `None` if there is none.
     pub fn largest_step(&self) -> Option<f64> {
         self.fastest().filter(|fastest| *fastest > 0.0).map(sensible_step)
     }
@@ -225,7 +229,7 @@ pub(super) fn sensible_step(fastest: f64) -> f64 {
     one_digit_below(SENSIBLE / fastest)
 }
 
-/// The number of one digit next below.
+/// The largest number with one significant digit that is not above `number`.
 fn one_digit_below(number: f64) -> f64 {
     let power = 10f64.powi(number.log10().floor() as i32);
     // the product of two rounded numbers may lie above
@@ -233,7 +237,7 @@ fn one_digit_below(number: f64) -> f64 {
     if digit * power <= number { digit * power } else { (digit - 1.0) * power }
 }
 
-/// Adds Bᵀ M B to the corner of the platform.
+/// Adds Bᵀ M B to the block of the platform.
 fn add_in_pattern(target: &mut DMatrix<f64>, basis: &[Twist], matrix: &nalgebra::Matrix6<f64>) {
     for (column, twist) in basis.iter().enumerate() {
         let change = matrix * twist;

@@ -8,14 +8,14 @@ use cdpr_model::geometry::MotionPattern;
 use cdpr_model::measurement::{pose_columns, pose_numbers, position_columns};
 use cdpr_model::model::Model;
 
-/// Columns of a log: `t_s`, the pose as measurement files state it, tensions and recorded lengths, then the twist.
+/// Columns of a log: `t_s`, the pose as in measurement files, tensions and recorded lengths, then the twist.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LogFormat {
     names: Vec<String>,
 }
 
 impl LogFormat {
-    /// The columns of a model's robot.
+    /// The columns for a model's robot.
     pub fn new(model: &Model) -> Self {
         let (robot, cables) = (model.robot(), 1..=model.cable_count());
         let mut names = vec!["t_s".to_owned()];
@@ -32,12 +32,12 @@ impl LogFormat {
         Self { names }
     }
 
-    /// Numbers of a row.
+    /// Count of numbers in a row.
     pub(super) fn column_count(&self) -> usize {
         self.names.len()
     }
 
-    /// The first line.
+    /// The header line.
     pub fn header(&self) -> String {
         self.names.join(",") + "\n"
     }
@@ -47,7 +47,7 @@ impl LogFormat {
         let (model, twist) = (plant.model(), state.twist());
         let robot = model.robot();
         let mut number = |value: f64| {
-            // writing into a String cannot fail; + 0.0: the sign of zero says nothing
+            // writing into a String cannot fail; + 0.0 turns −0 into 0
             let _ = write!(text, "{},", value + 0.0);
         };
         number(state.time);

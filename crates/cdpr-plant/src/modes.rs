@@ -8,29 +8,30 @@ use super::linearization::Linearization;
 use cdpr_model::scalar::decomposition::{eigenvalues, symmetric_eigen};
 use cdpr_model::statics::Stability;
 
-/// Asymmetry of M⁻¹ K, as a share of its largest entry, that counts as rounding.
+/// Asymmetry of M⁻¹ K, as a fraction of its largest entry, that counts as rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// A mode of small, undamped motions.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Mode {
-    /// Natural frequency (Hz); negative where the motion grows instead: −√(−λ)/2π; 0 where its stiffness counts as none.
+    /// Natural frequency (Hz); −√(−λ)/2π, thus negative, if the motion grows; 0 if its stiffness counts as zero.
     pub frequency: f64,
-    /// Stiffness against it (N/m): φᵀ K φ over the square of the ways of φ, turns at the platform radius and drums at theirs.
+    /// Stiffness along the mode (N/m): φᵀ K φ over the squared path length of φ, with rotations at the platform radius
+    /// and drums at theirs.
     pub stiffness: f64,
-    /// Stability against a small displacement along it.
+    /// Stability under a small displacement along the mode.
     pub stability: Stability,
-    /// Share of critical damping that the dampers have of it; NaN where it does not swing.
+    /// Damping by the dampers as a fraction of critical damping; NaN if the mode does not oscillate.
     pub damping_ratio: f64,
-    /// Shape: displacements along the degrees of freedom (m, rad), then angles of drums (rad), with the modal mass 1.
+    /// Shape: displacements along the degrees of freedom (m, rad), then angles of drums (rad), for modal mass 1.
     pub shape: DVector<f64>,
-    /// Share of each degree of freedom in the kinetic energy of the mode; all add up to 1.
+    /// Fraction of each degree of freedom in the kinetic energy of the mode; the fractions add up to 1.
     pub participation: DVector<f64>,
 }
 
 impl Linearization {
-    /// Modes of M δz̈ + K δz = 0, as many as there are degrees of freedom, slowest first; `None` if a mass is missing, or where the motion neither swings nor grows (constant moments may
-    /// make a stiffness so unsymmetric).
+    /// Modes of M δz̈ + K δz = 0, as many as there are degrees of freedom, slowest first; `None` if a mass is missing,
+    /// or if an eigenvalue is complex (constant moments may make the stiffness so unsymmetric).
     pub fn modes(&self) -> Option<Vec<Mode>> {
         let lower = self.mass.clone().cholesky()?.l();
         // with M = L Lᵀ the eigenvalues of M⁻¹ K are those of L⁻¹ K L⁻ᵀ
@@ -76,7 +77,7 @@ fn symmetric(matrix: DMatrix<f64>) -> Option<Vec<(f64, DVector<f64>)>> {
     Some(eigen.eigenvalues.iter().copied().zip(vectors).collect())
 }
 
-/// Real eigenvalues, and their vectors by inverse iteration.
+/// Real eigenvalues with their vectors by inverse iteration; `None` if an eigenvalue is complex.
 fn unsymmetric(matrix: &DMatrix<f64>) -> Option<Vec<(f64, DVector<f64>)>> {
     let size = matrix.nrows();
     let largest = matrix.amax();
@@ -86,7 +87,7 @@ fn unsymmetric(matrix: &DMatrix<f64>) -> Option<Vec<(f64, DVector<f64>)>> {
         }
         let shift = value.re + 1e-10 * largest;
         let factors = (matrix - DMatrix::identity(size, size) * shift).lu();
-        // starts that differ find different vectors of one eigenvalue
+        // different starts find different vectors of a multiple eigenvalue
         let mut vector = DVector::from_fn(size, |row, _| if row == index { 1.0 } else { 0.1 });
         for _ in 0..4 {
             vector = factors.solve(&vector)?.normalize();

@@ -6,13 +6,14 @@ use cdpr_model::geometry::{Pose, Twist, Wrench};
 use cdpr_model::model::Model;
 use cdpr_model::robot::Body;
 
-/// Largest turn of one piece of a drift (rad): the error of a piece, of the fifth order, stays below rounding.
+/// Largest turn of one piece of a drift (rad): the error of a piece, of fifth order, stays below rounding.
 const PIECE: f64 = 5e-3;
 
-/// Largest turn within a step (rad): beyond it the forces of a step are those of orientations that have nothing to do with each other.
+/// Largest turn within a step (rad): beyond it the forces of a step belong to unrelated orientations.
 pub(super) const LARGEST_TURN: f64 = 1.0;
 
-/// Momentum of a platform: linear, and angular about its centre of mass (world axes; kg·m/s, kg·m²/s). Without forces both stay to the last bit.
+/// Momentum of a platform: linear, and angular about its centre of mass (world axes; kg·m/s, kg·m²/s). Without forces
+/// both keep their bits.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Momentum {
     /// p = m v_c.
@@ -21,12 +22,12 @@ pub(super) struct Momentum {
     pub(super) angular: Vector3<f64>,
 }
 
-/// A body as its motion pattern lets it move.
+/// Inertia of a body, with the directions in which its motion pattern moves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Inertia {
     /// Mass properties.
     pub body: Body,
-    /// I_c⁻¹ about the directions in which the pattern turns, 0 about others (platform axes).
+    /// I_c⁻¹ about the directions about which the pattern turns, 0 about others (platform axes).
     inverse_inertia: Matrix3<f64>,
     /// D_lin (N·s/m) and D_rot (N·m·s/rad).
     damping: [f64; 2],
@@ -58,14 +59,14 @@ impl Inertia {
         Self { body, inverse_inertia, damping, translations, rotations }
     }
 
-    /// Wrench that damps a twist of the platform origin, −\[D_lin v; D_rot ω\] (world axes).
+    /// Damping wrench for a twist of the platform origin, −\[D_lin v; D_rot ω\] (world axes).
     #[inline]
     pub(super) fn drag(&self, twist: &Twist) -> Wrench {
         let [along, about] = self.damping;
         Wrench::from_fn(|row, _| if row < 3 { -along * twist[row] } else { -about * twist[row] })
     }
 
-    /// True where something damps the platform itself.
+    /// True if the platform itself is damped.
     pub(super) fn is_damped(&self) -> bool {
         self.damping != [0.0; 2]
     }
@@ -89,7 +90,7 @@ impl Inertia {
         Twist::new(v.x, v.y, v.z, omega.x, omega.y, omega.z)
     }
 
-    /// Momentum of a twist, as far as the pattern moves.
+    /// Momentum of a twist, projected onto the motion pattern.
     pub(super) fn momentum(&self, pose: &Pose, twist: &Twist) -> Momentum {
         let omega = self.rotations * twist.fixed_rows::<3>(3);
         let v = self.translations * (twist.fixed_rows::<3>(0) + omega.cross(&self.center(pose)));
@@ -114,8 +115,8 @@ impl Inertia {
         turn * self.body.mass_matrix() * turn.transpose()
     }
 
-    /// Pose after a time without forces (s): the centre of mass goes straight, the angular momentum stays. The turn (rad) where it is beyond the
-    /// [largest](LARGEST_TURN).
+    /// Pose after a time without forces (s): the centre of mass moves straight, the angular momentum is constant. The
+    /// error is the turn (rad) if it is above [`LARGEST_TURN`].
     #[inline]
     pub(super) fn drift(&self, pose: &Pose, momentum: &Momentum, time: f64) -> Result<Pose, f64> {
         let from = pose.position + self.center(pose) + momentum.linear * (time / self.body.mass);
@@ -123,7 +124,7 @@ impl Inertia {
         Ok(Pose { position: from - rotation * self.body.center_of_mass, rotation })
     }
 
-    /// Orientation of a free body after a time (s), or a turn beyond the [largest](LARGEST_TURN) (rad).
+    /// Orientation of a free body after a time (s); the error is the turn (rad) if it is above [`LARGEST_TURN`].
     #[inline]
     fn turned(
         &self,
@@ -153,8 +154,8 @@ impl Inertia {
         Ok(turned)
     }
 
-    /// θ of R exp(θ) after a time: the solution of θ′ = Ω + ½ θ × Ω + ¹⁄₁₂ θ × (θ × Ω) with Λ′ = Λ × Ω, Λ = I Ω (platform axes), by its series
-    /// θ = t Ω + ½ t² Ω′ + t³ (Ω″/6 + Ω × Ω′/12) + t⁴ (Ω‴ + Ω × Ω″)/24 + O(t⁵).
+    /// θ of R exp(θ) after a time: the solution of θ′ = Ω + ½ θ × Ω + ¹⁄₁₂ θ × (θ × Ω) with Λ′ = Λ × Ω, Λ = I Ω
+    /// (platform axes), by its series θ = t Ω + ½ t² Ω′ + t³ (Ω″/6 + Ω × Ω′/12) + t⁴ (Ω‴ + Ω × Ω″)/24 + O(t⁵).
     #[inline]
     fn rotation_vector(&self, body: &Vector3<f64>, omega: &Vector3<f64>, time: f64) -> Vector3<f64> {
         let of = |momentum: &Vector3<f64>| self.inverse_inertia * momentum;
@@ -169,13 +170,14 @@ impl Inertia {
     }
 }
 
-/// R exp(θ) for a rotation vector of a piece at most (platform axes, rad), whose sine and cosine the series tells to rounding.
+/// R exp(θ) for a rotation vector of at most one piece (platform axes, rad); the series give its sine and cosine to
+/// rounding.
 #[inline]
 fn turned_by(rotation: &UnitQuaternion<f64>, theta: &Vector3<f64>) -> UnitQuaternion<f64> {
     let square = theta.norm_squared() / 4.0;
     let cosine = 1.0 - square * (0.5 - square * (1.0 / 24.0 - square / 720.0));
     let sine = 0.5 * (1.0 - square * (1.0 / 6.0 - square * (1.0 / 120.0 - square / 5040.0)));
     let turned = rotation.quaternion() * Quaternion::from_parts(cosine, theta * sine);
-    // one Newton step to the norm 1, of which rounding alone has led away
+    // one Newton step towards the norm 1, which only rounding has changed
     UnitQuaternion::new_unchecked(turned * (1.5 - 0.5 * turned.norm_squared()))
 }

@@ -1,4 +1,4 @@
-//! Runs with error control: from one bend of commands and wrenches to the next, between which everything is smooth.
+//! Runs with error control: from one kink of commands and wrenches to the next, between which all forces are smooth.
 
 use super::control_loop::Moment;
 use super::course::Course;
@@ -9,11 +9,12 @@ use super::simulation::Simulation;
 use super::state::PlantState;
 use cdpr_model::geometry::Wrench;
 
-/// Error that a step may have where a scenario does not say it.
+/// Default of the error that a step may have.
 const TOLERANCE: f64 = 1e-10;
 
 impl Simulation {
-    /// To a time, with a stop at every bend; the number of steps of the integrator, after each of which the course looks at the machine.
+    /// Runs to a time, with a stop at every kink; returns the number of steps of the integrator. The course is updated
+    /// after each.
     pub(super) fn pass_to(&mut self, target: f64, course: &mut Course) -> Result<u64, StepError> {
         let mut steps = 0;
         while self.state.time < target {
@@ -40,7 +41,7 @@ impl Simulation {
         Ok(steps)
     }
 
-    /// The next time at which a series bends, or the target.
+    /// The next time at which a series has a kink, or the target.
     fn next_bend(&self, target: f64) -> f64 {
         let same = self.same_time();
         let of_wrench = self.wrench.iter().flat_map(|series: &Series| &series.times);

@@ -1,4 +1,4 @@
-//! The machine as it is: model, platform, damping and winches.
+//! The immutable part of the machine: model, platform, damping and winches.
 
 use nalgebra::Vector3;
 
@@ -10,46 +10,46 @@ use cdpr_model::model::{Cables, Model};
 use cdpr_model::robot::{Assumption, Body, Cable};
 use cdpr_model::statics::Load;
 
-/// A machine that moves. Immutable: what changes stands in a [`PlantState`](super::PlantState).
+/// A machine in time. Immutable: its changing quantities are in a [`PlantState`](super::PlantState).
 #[derive(Clone, Debug)]
 pub struct Plant {
     pub(super) model: Model,
     pub(super) load: Load,
-    /// Gravity (world, m/s²); zero where the file states none.
+    /// Gravity (world, m/s²); zero if the file states none.
     pub(super) gravity: Vector3<f64>,
     pub(super) inertia: Inertia,
     pub(super) damping: Vec<Damping>,
-    /// Drums, one per cable; none with ideal winches.
+    /// Drums, one per cable; empty for ideal winches.
     pub(super) drums: Vec<Drum>,
-    /// True where cables have weight.
+    /// True if cables have weight.
     pub(super) sags: bool,
-    /// True where all laws are straight and linear.
+    /// True if all laws are straight and linear.
     pub(super) is_linear: bool,
-    /// True where forces depend on speeds.
+    /// True if forces depend on speeds.
     pub(super) dissipates: bool,
-    /// True where the pulley of a drum has friction.
+    /// True if the pulley of a drum has friction, so that wrap angles are needed.
     pub(super) asks_wraps: bool,
-    /// True where directions of single cables are needed, not only their sum.
+    /// True if directions of single cables are needed, not only the sum of their wrenches.
     pub(super) asks_columns: bool,
 }
 
 /// Damping of a cable along its elongation rate: d = constant + time · ∂f/∂q (Kelvin and Voigt).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Damping {
-    /// Part that does not depend on the cable's length (N·s/m).
+    /// Part that is independent of the cable's length (N·s/m).
     pub constant: f64,
-    /// η (s): with it d = η EA/q of a cable that obeys Hooke's law.
+    /// η (s): for a cable that obeys Hooke's law, d = η EA/q.
     pub time: f64,
 }
 
 impl Damping {
-    /// d of a cable of this stiffness ∂f/∂q (N/m → N·s/m).
+    /// Damping coefficient d of a cable with the stiffness ∂f/∂q (N/m → N·s/m).
     #[inline]
     pub(super) fn coefficient(&self, stiffness: f64) -> f64 {
         self.constant + self.time * stiffness
     }
 
-    /// Damping that the robot file states for a cable; zero if it states none.
+    /// Damping of a cable in the robot file; zero if the file states none.
     pub(super) fn of(cable: &Cable) -> Self {
         let constant = cable.damping.unwrap_or(0.0);
         Self { constant, time: cable.damping_time.unwrap_or(0.0) }
@@ -68,7 +68,7 @@ pub enum Winches {
 }
 
 impl Winches {
-    /// Word of scenario files.
+    /// Word in scenario files.
     pub(super) fn word(self) -> &'static str {
         match self {
             Self::Ideal => "ideal",
@@ -77,25 +77,25 @@ impl Winches {
     }
 }
 
-/// A drum with what turns with it.
+/// A drum with the parts that turn with it.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Drum {
-    /// Inertia at the drum, rotor and pulley with the squares of their ratios included (kg·m²).
+    /// Inertia at the drum (kg·m²), including rotor and pulley with the squares of their ratios.
     pub(super) inertia: f64,
-    /// Friction at the start; that of a moment stands in the state.
+    /// Friction at the start; the current one is in the state.
     pub(super) friction: Friction,
     /// Torque at the drum per torque of the motor.
     pub(super) gear: f64,
 }
 
 impl Plant {
-    /// The machine of a model with the damping of its robot file.
+    /// The machine of a model, with the damping of its robot file.
     pub fn new(model: Model, winches: Winches) -> Result<Self, PlantError> {
         let damping = model.robot().cables.iter().map(Damping::of).collect();
         Self::with_damping(model, winches, damping)
     }
 
-    /// [`Plant::new`] with another damping, one per cable.
+    /// [`Plant::new`] with given damping, one entry per cable.
     pub(crate) fn with_damping(model: Model, winches: Winches, damping: Vec<Damping>) -> Result<Self, PlantError> {
         let stretches = |cable: &usize| match model.law(*cable).kind {
             Kind::Rigid => false,
@@ -122,7 +122,7 @@ impl Plant {
             is_linear: model.cables() == Cables::Linear,
             dissipates: has_friction || has_damping,
             asks_wraps: drums.iter().any(|drum| drum.friction.pulley > 0.0),
-            // laws that are no closed form are asked cable by cable
+            // other laws than linear ones are evaluated cable by cable
             asks_columns: has_damping || !drums.is_empty() || model.cables() != Cables::Linear,
             load,
             damping,
@@ -131,22 +131,23 @@ impl Plant {
         })
     }
 
-    /// The model of its cables.
+    /// The model of the machine.
     pub fn model(&self) -> &Model {
         &self.model
     }
 
-    /// The load that its robot file states.
+    /// The load in the robot file.
     pub fn load(&self) -> &Load {
         &self.load
     }
 
-    /// Assumed numbers of its robot file that its motion rests on: not those of drums, pulleys, weight or damping that it does without.
+    /// Assumed numbers of the robot file that the motion depends on, without those of drums, pulleys, weight or damping
+    /// that the machine does not have.
     pub fn assumptions(&self) -> impl Iterator<Item = &Assumption> {
         self.model.robot().assumptions.iter().filter(|assumption| self.reads(assumption.plain_key()))
     }
 
-    /// True for keys of the robot file that motion may depend on.
+    /// True for keys of the robot file on which the motion may depend.
     fn reads(&self, key: &str) -> bool {
         let composition = self.model.composition();
         let own_damping =
@@ -158,19 +159,19 @@ impl Plant {
             _ if begins(&["pulley_"]) => composition.pulley,
             _ if begins(&["cable_damping_"]) => own_damping(),
             _ if begins(&["linear_density_", "finite_elements"]) => self.sags,
-            // limits, places to start from, and what sensors record
+            // limits, starting positions, and calibrations of sensors
             _ => !begins(&["position_", "angle_", "rotation", "diameter_", "length_", "encoder_"]),
         }
     }
 
-    /// Holders of its cables.
+    /// Kind of the winches.
     pub fn winches(&self) -> Winches {
         if self.drums.is_empty() { Winches::Ideal } else { Winches::Drums }
     }
 }
 
-/// Assumed numbers of a robot file that motion under given tensions rests on: those of platform, load, anchors and limits, and of pulleys and the cables'
-/// weight where the model has them; not those of stretch, damping and drums.
+/// Assumed numbers of a robot file that the motion under given tensions depends on: those of platform, load, anchors
+/// and limits, and of pulleys and the cables' weight if the model has them; not those of stretch, damping and drums.
 pub fn assumptions_under_tensions(model: &Model) -> impl Iterator<Item = &Assumption> {
     let reads = |assumption: &&Assumption| {
         let (table, key) = assumption.key.split_once('.').unwrap_or((assumption.key.as_str(), ""));
@@ -187,7 +188,7 @@ pub fn assumptions_under_tensions(model: &Model) -> impl Iterator<Item = &Assump
     model.robot().assumptions.iter().filter(reads)
 }
 
-/// Drums of a robot: radius and inertia are needed, friction is none where the file is silent.
+/// Drums of a robot: radius and inertia are needed, friction is zero if the file has none.
 fn drums_of(model: &Model) -> Result<Vec<Drum>, PlantError> {
     let drum = |(index, cable): (usize, &Cable)| {
         let missing = |key| PlantError::NoDrum { key, cable: index + 1, name: cable.name.clone() };
@@ -204,7 +205,7 @@ fn drums_of(model: &Model) -> Result<Vec<Drum>, PlantError> {
     model.robot().cables.iter().enumerate().map(drum).collect()
 }
 
-/// Inertia of a pulley at the drum whose rim it turns with (kg·m²).
+/// Inertia of a pulley (kg·m²), reduced to the drum by the ratio of their radii.
 fn pulley_inertia(cable: &Cable) -> Option<f64> {
     let ratio = cable.winch.radius? / cable.pulley_radius()?;
     Some(cable.pulley_inertia? * ratio * ratio)

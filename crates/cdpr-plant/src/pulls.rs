@@ -1,4 +1,4 @@
-//! Pulls of all cables at a pose: geometry, tensions by the laws, and the wrench of both.
+//! Pulls of all cables at a pose: geometry, tensions from the laws, and their wrench.
 
 use cdpr_core::structure;
 
@@ -13,12 +13,12 @@ use cdpr_model::geometry::{Pose, Twist, Wrench};
 use cdpr_model::scalar::{LANES, dispatch_narrow};
 use cdpr_model::statics::StaticsError;
 
-/// Geometry and laws of all cables at a pose, in memory that is claimed once.
+/// Geometry and laws of all cables at a pose, in memory that is allocated once.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Pulls {
-    /// True where lengths are those of the pose.
+    /// True if the lengths belong to the pose.
     pub(super) is_current: bool,
-    /// q (m); eight numbers a group of cables, as the next three have.
+    /// q (m); eight numbers per group of cables, as for the next three lists.
     pub(super) lengths: Vec<f64>,
     /// Controlled lengths of ideal winches at the end of the step (m).
     pub(super) ends: Vec<f64>,
@@ -28,13 +28,13 @@ pub(super) struct Pulls {
     whole: Vec<f64>,
     /// Tensions of linear laws (N).
     tensions: Vec<f64>,
-    /// Wrench of the cables where nothing depends on speeds.
+    /// Wrench of the cables if forces do not depend on speeds.
     rest: Wrench,
-    /// \[u; b × u\] (world); where nothing depends on speeds those of some pose before.
+    /// \[u; b × u\] (world); if forces do not depend on speeds, those of an earlier pose.
     pub(super) columns: Vec<[f64; 6]>,
-    /// Wrap angles on pulleys (rad); zero where no friction asks for them.
+    /// Wrap angles on pulleys (rad); zero if no friction needs them.
     pub(super) wraps: Vec<f64>,
-    /// Laws at lengths and controlled lengths.
+    /// Values of the laws at the lengths and controlled lengths.
     pub(super) laws: Vec<LawPull>,
     /// Drums within a step.
     pub(super) drums: Vec<DrumWork>,
@@ -42,7 +42,7 @@ pub(super) struct Pulls {
     pub(super) start: Start,
 }
 
-/// A drum within a step.
+/// Work memory of a drum within a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct DrumWork {
     /// Speed before the step (rad/s).
@@ -51,28 +51,29 @@ pub(super) struct DrumWork {
     pub(super) radius: f64,
     /// Speed at the stage of a kick (rad/s).
     pub(super) trial: f64,
-    /// Acceleration there (rad/s²).
+    /// Acceleration at the stage of a kick (rad/s²).
     pub(super) acceleration: f64,
-    /// Weighted sum of the stages' accelerations.
+    /// Weighted sum of the stages' accelerations (rad/s²).
     pub(super) sum: f64,
 }
 
-/// Answer of a cable's law at its lengths.
+/// Value of a cable's law at its lengths.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct LawPull {
     /// Tension along the column (N), continued below zero.
     pub(super) tension: f64,
-    /// Tension at the outlet less that along the column (N): the weight of a cable that sags.
+    /// Tension at the outlet minus that along the column (N): the weight of a sagging cable.
     pub(super) weight: f64,
     /// d (N·s/m).
     pub(super) damping: f64,
 }
 
 impl LawPull {
-    /// A cable that is broken.
+    /// Value for a broken cable.
     const NONE: Self = Self { tension: 0.0, weight: 0.0, damping: 0.0 };
 
-    /// Tension on the platform of a cable that grows longer at this rate (m/s): law and damper clipped together (N).
+    /// Tension on the platform of a cable with this elongation rate (m/s): the sum of law and damper, clipped at zero
+    /// (N).
     #[inline]
     pub(super) fn clipped(&self, rate: f64) -> f64 {
         (self.tension + self.damping * rate).max(0.0)
@@ -98,7 +99,7 @@ impl Pulls {
         }
     }
 
-    /// Lengths and directions at a pose, and the tensions of the laws.
+    /// Computes lengths and directions at a pose, and the tensions of the laws.
     #[inline]
     pub(super) fn find(&mut self, plant: &Plant, pose: &Pose, cables: &mut [CableMotion]) -> Result<(), StepError> {
         if plant.sags {
@@ -125,7 +126,7 @@ impl Pulls {
         Ok(())
     }
 
-    /// Takes over unstrained lengths, and which cables are whole; true where one differs.
+    /// Copies unstrained lengths and the flags of whole cables; true if any differs.
     #[inline]
     fn tell(&mut self, cables: &[CableMotion]) -> bool {
         let mut differs = false;
@@ -137,7 +138,7 @@ impl Pulls {
         differs
     }
 
-    /// Lengths and columns; true where linear laws have their tensions too.
+    /// Computes lengths and columns; true if the tensions of linear laws were computed too.
     #[inline]
     fn find_lines(&mut self, plant: &Plant, pose: &Pose) -> Result<bool, StepError> {
         let (position, rotation) = (pose.position.into(), pose.rotation_rows());
@@ -165,7 +166,7 @@ impl Pulls {
         Ok(false)
     }
 
-    /// Wrap angles of straight cables.
+    /// Computes the wrap angles of straight cables.
     fn find_wraps(&mut self, plant: &Plant, pose: &Pose) -> Result<(), StepError> {
         let (position, rotation) = (pose.position.into(), pose.rotation_rows());
         for (cable, wrap) in self.wraps.iter_mut().enumerate() {
@@ -174,7 +175,7 @@ impl Pulls {
         Ok(())
     }
 
-    /// Cables with weight, each sought from its last shape.
+    /// Computes cables with weight, each from its last shape.
     fn find_shapes(&mut self, plant: &Plant, pose: &Pose, cables: &mut [CableMotion]) -> Result<(), StepError> {
         let (position, rotation) = (pose.position.into(), pose.rotation_rows());
         for (index, cable) in cables.iter_mut().enumerate() {
@@ -204,7 +205,7 @@ impl Pulls {
         Ok(())
     }
 
-    /// Wrench of all cables on a platform that moves (N, N·m).
+    /// Wrench of all cables on a platform with a twist (N, N·m).
     #[inline]
     pub(super) fn wrench(&self, twist: &Twist, rates: impl Fn(usize) -> f64) -> Wrench {
         let mut sum = Wrench::zeros();
@@ -217,7 +218,7 @@ impl Pulls {
         sum
     }
 
-    /// Wrench of all cables where nothing depends on speeds.
+    /// Wrench of all cables if forces do not depend on speeds (N, N·m).
     #[inline]
     pub(super) fn wrench_at_rest(&self) -> Wrench {
         self.rest
@@ -231,7 +232,7 @@ pub(super) fn elongation_rate(column: &[f64; 6], twist: &Twist) -> f64 {
 }
 
 impl Plant {
-    /// The law of one straight, linear cable with its tension (N) at a geometric length (m).
+    /// Value of the law of one straight, linear cable from its tension (N) at a geometric length (m).
     #[inline]
     fn linear_pull(&self, index: usize, cable: &CableMotion, (tension, length): (f64, f64)) -> LawPull {
         let damping = &self.damping[index];
@@ -241,7 +242,7 @@ impl Plant {
         LawPull { tension, weight: 0.0, damping: damping.constant }
     }
 
-    /// The law of one straight cable at a geometric length (m).
+    /// Value of the law of one straight cable at a geometric length (m).
     #[inline]
     fn law_pull(&self, index: usize, cable: &CableMotion, length: f64) -> LawPull {
         if cable.is_broken {
@@ -254,7 +255,7 @@ impl Plant {
                 weight: 0.0,
                 damping: self.damping[index].coefficient(tension.by_length),
             },
-            // refused where plants are made
+            // refused when a plant is made
             None => LawPull::NONE,
         }
     }

@@ -1,13 +1,13 @@
 //! Rows of numbers over time.
 
-/// Rows over time, straight between them and constant outside.
+/// Rows over time, linear between them and constant outside.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Series {
     pub(super) times: Vec<f64>,
     pub(super) rows: Vec<Vec<f64>>,
 }
 
-/// Mistake in a series.
+/// Error in a series.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct SeriesMistake {
     /// True if the times are wrong, false if the rows are.
@@ -16,7 +16,7 @@ pub(super) struct SeriesMistake {
 }
 
 impl Series {
-    /// Refuses times that do not rise, and rows that are not one for each time; `key` is that of the rows in their file.
+    /// Checks that times rise and that there is one row for each time; `key` is the key of the rows in their file.
     pub(super) fn check(times: &[f64], rows: usize, key: &str) -> Result<(), SeriesMistake> {
         let rises = times.windows(2).all(|pair| pair[0] < pair[1]) && times.iter().all(|time| time.is_finite());
         if times.is_empty() || !rises {
@@ -30,7 +30,7 @@ impl Series {
         Ok(())
     }
 
-    /// Writes the row at a time.
+    /// Writes the interpolated row at a time.
     pub(super) fn at(&self, time: f64, row: &mut [f64]) {
         let after = self.times.partition_point(|&other| other <= time);
         let (low, high) = (after.saturating_sub(1), after.min(self.times.len() - 1));

@@ -1,4 +1,4 @@
-//! A scenario as it goes: machine, start, commands and events in time.
+//! Simulation of a scenario: machine, start, commands and events in time.
 
 use std::ops::ControlFlow;
 
@@ -24,22 +24,22 @@ use cdpr_model::model::Model;
 use cdpr_model::robot::Robot;
 use cdpr_model::tension::Method;
 
-/// A machine on its way through a scenario.
+/// A machine during the run of a scenario.
 #[derive(Clone, Debug)]
 pub struct Simulation {
     /// The machine.
     pub plant: Plant,
-    /// Its state by now.
+    /// Current state of the machine.
     pub state: PlantState,
-    /// Events, in the order of time.
+    /// Events, sorted by time.
     pub events: Vec<Event>,
-    /// Sensors with what they have seen.
+    /// Sensors with their readings so far.
     pub sensors: Option<Sensors>,
-    /// Volume of what it records.
+    /// Volume of the run's records.
     pub volume: Volume,
-    /// Motion that its controller is asked for: rest at the start, before the platform is displaced.
+    /// Setpoint of the controller: rest at the start, before the platform is displaced.
     pub setpoint: Setpoint,
-    /// Commands of a controller with a period between two questions.
+    /// Commands between two calls of a controller with a period.
     pub between: Between,
     pub(super) time: Time,
     pub(super) control: ControlLoop,
@@ -47,12 +47,12 @@ pub struct Simulation {
 }
 
 impl Simulation {
-    /// The machine of a scenario on its start under the scenario's controller, its robot read by the caller.
+    /// The machine of a scenario at its start, under the scenario's controller; the caller reads the robot.
     pub fn new(scenario: &Scenario, robot: Robot) -> Result<Self, PlantError> {
         Self::with(scenario, robot, |setting| scenario.control.controller(setting))
     }
 
-    /// The machine of a scenario on its start under a controller in place of the scenario's.
+    /// The machine of a scenario at its start, under a given controller instead of the scenario's.
     pub fn with_controller(
         scenario: &Scenario,
         robot: Robot,
@@ -95,8 +95,8 @@ impl Simulation {
         Ok(Self { plant, state, events, sensors, volume, setpoint, between, time, control, wrench })
     }
 
-    /// Runs to the end, and shows every state that is recorded: the start, after each time of a record, and the last one. A state at the time of an
-    /// event is shown before it.
+    /// Runs to the end and passes every recorded state to `watch`: the start, each time of a record, and the last
+    /// state. A state at the time of an event is passed before the event.
     pub fn run<E>(
         &mut self,
         mut watch: impl FnMut(&Plant, &PlantState) -> Result<ControlFlow<()>, E>,
@@ -128,7 +128,7 @@ impl Simulation {
         Ok(course.ended(RunEnd::Completed))
     }
 
-    /// To a time of the grid, with a stop at every event and every question to the controller before it.
+    /// Runs to a time of the grid, with a stop at every event and every call of the controller before it.
     fn advance(&mut self, target: f64, course: &mut Course) -> Result<(), StepError> {
         let same = self.same_time();
         loop {
@@ -142,12 +142,12 @@ impl Simulation {
         self.step_to(target, course)
     }
 
-    /// Times that differ by less than this are one (s).
+    /// Times that differ by less than this are equal (s).
     pub(super) fn same_time(&self) -> f64 {
         SAME_TIME * self.time.step_s
     }
 
-    /// True if the integrator has steps of its own, and neither sensors nor the controller look at those of the file.
+    /// True if the integrator chooses its own steps, and neither sensors nor the controller need those of the file.
     fn skips_unrecorded_times(&self) -> bool {
         let is_alone = self.sensors.is_none() && self.control.bends().is_some();
         self.time.integrator == Integrator::ErrorControlled && is_alone
@@ -164,7 +164,7 @@ impl Simulation {
         Ok(())
     }
 
-    /// One step to a time; the number of steps.
+    /// Takes one step to a time; returns the number of steps of the integrator.
     fn take_step(&mut self, target: f64) -> Result<u64, StepError> {
         let (from, whole) = (self.state.time, self.time.step_s);
         let time = target - from;
@@ -196,7 +196,7 @@ impl Simulation {
         self.time.integrator
     }
 
-    /// Sensors look at the state.
+    /// Updates the sensors with the state.
     fn measure(&mut self) {
         let Some(sensors) = &mut self.sensors else { return };
         let mut further = [0.0; 6];
@@ -206,7 +206,7 @@ impl Simulation {
         sensors.look(&self.plant, &self.state, &Wrench::from(further));
     }
 
-    /// Everything up to a time happens.
+    /// Applies all events up to a time.
     fn happen_until(&mut self, time: f64, course: &mut Course) {
         let until = time + self.same_time();
         while let Some(event) = self.events.get(course.next).filter(|event| event.time <= until) {
@@ -235,7 +235,7 @@ fn start_of(plant: &Plant, start: &Start) -> Result<PlantState, PlantError> {
     plant.at_rest(&pose, &tensions)
 }
 
-/// Displacement and twist of the start.
+/// Applies displacement and twist of the start.
 fn displace(plant: &Plant, state: &mut PlantState, start: &Start) -> Result<(), PlantError> {
     let of = |numbers: &Option<Vec<f64>>, key| match numbers {
         Some(numbers) => of_components(&plant.model, numbers, ScenarioKey::of("start", key)),
@@ -250,13 +250,13 @@ fn displace(plant: &Plant, state: &mut PlantState, start: &Start) -> Result<(), 
     Ok(plant.observe(state)?)
 }
 
-/// A twist or wrench by its components in the degrees of freedom.
+/// A twist or wrench from its components in the degrees of freedom.
 fn of_components(model: &Model, numbers: &[f64], key: ScenarioKey) -> Result<Twist, PlantError> {
     let robot = model.robot();
     robot.motion_pattern.twist(robot.plane, numbers).map_err(|reason| PlantError::Components { key, reason })
 }
 
-/// Refuses integrators that the machine at its start is not for.
+/// Checks that the scenario's integrator suits the machine at its start.
 fn check_integrator(plant: &Plant, state: &PlantState, time: &Time) -> Result<(), PlantError> {
     match time.integrator {
         Integrator::Symplectic => check_step(plant, state, time.step_s),
@@ -264,7 +264,7 @@ fn check_integrator(plant: &Plant, state: &PlantState, time: &Time) -> Result<()
     }
 }
 
-/// Refuses integrators that the machine is not for with the friction that its drums have after an event.
+/// Checks that the integrator also suits the friction that drums have after events.
 fn check_friction(plant: &Plant, start: &PlantState, events: &[Event], time: &Time) -> Result<(), PlantError> {
     let (mut later, mut changed) = (start.clone(), start.clone());
     for event in events {
@@ -277,11 +277,11 @@ fn check_friction(plant: &Plant, start: &PlantState, events: &[Event], time: &Ti
     Ok(())
 }
 
-/// Refuses steps that the fastest motion about the start does not allow.
+/// Checks that the step is small enough for the fastest motion about the start.
 fn check_step(plant: &Plant, state: &PlantState, step: f64) -> Result<(), PlantError> {
     let linear = plant.linearize(state)?;
     let Some(fastest) = linear.fastest() else { return Ok(()) };
-    // where friction falls with speed, the speed of a drum grows
+    // if friction falls with speed, the speed of a drum grows
     let drums = plant.drums.iter().zip(&state.friction);
     let grows = drums.map(|(drum, friction)| friction.steepest_fall() / drum.inertia);
     let fastest = grows.fold(fastest, f64::max);
@@ -294,7 +294,7 @@ fn check_step(plant: &Plant, state: &PlantState, step: f64) -> Result<(), PlantE
     }
 }
 
-/// Refuses machines whose forces jump where a step with error control does not see it coming.
+/// Checks that no force jumps in a way that a step with error control cannot foresee.
 fn check_smooth(state: &PlantState) -> Result<(), PlantError> {
     let refuse = |reason: String| {
         let message = format!("integrator = \"error-controlled\" is not for this run: {reason}; use \"symplectic\"");

@@ -1,9 +1,9 @@
-//! Start of the stages of a step, in memory that is claimed once.
+//! Start of the stages of a step, in memory that is allocated once.
 
 use super::momentum::Momentum;
 use cdpr_model::geometry::Pose;
 
-/// Start of the stages, to which a cut leads back.
+/// Start of the stages, to which a cut returns.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Start {
     pub(super) pose: Pose,
@@ -18,7 +18,7 @@ pub(super) struct CableStart {
     pub(super) rate: f64,
     pub(super) angle: f64,
     pub(super) speed: f64,
-    /// Law and damper before they are clipped (N).
+    /// Sum of law and damper before clipping (N).
     pub(super) sum: f64,
     /// The same in the middle of the stages.
     pub(super) middle: f64,

@@ -1,4 +1,4 @@
-//! The start of a machine: in equilibrium at a pose with tensions.
+//! The start of a machine: in equilibrium at a pose with given tensions.
 
 use super::cable_motion::CableMotion;
 use super::error::{PlantError, StepError};
@@ -10,8 +10,8 @@ use cdpr_model::geometry::{Pose, Wrench};
 use cdpr_model::statics::StaticsError;
 
 impl Plant {
-    /// The machine at rest at a pose, its winches set for these tensions (N, where the robot measures them): in equilibrium where they balance
-    /// the load.
+    /// The machine at rest at a pose, with its winches set for these tensions (N, where the robot measures them): in
+    /// equilibrium if they balance the load.
     pub fn at_rest(&self, pose: &Pose, tensions: &[f64]) -> Result<PlantState, PlantError> {
         let mut settled = equilibrium::State::at(&self.model, pose);
         let command = self.model.inverse(pose, tensions, &mut settled)?;
@@ -20,7 +20,8 @@ impl Plant {
         self.holding(pose, &lengths, settled.memories())
     }
 
-    /// The machine at rest at a pose with these controlled lengths (m) and never loaded cables, whether or not it stays there.
+    /// The machine at rest at a pose with these controlled lengths (m) and cables that were never loaded; in general
+    /// not in equilibrium.
     pub fn with_lengths(&self, pose: &Pose, lengths: &[f64]) -> Result<PlantState, PlantError> {
         let settled = equilibrium::State::at(&self.model, pose);
         let (expected, found) = (self.model.cable_count(), lengths.len());
@@ -78,7 +79,7 @@ impl Plant {
         Ok(self.model.motor_angle(cable, length)? / gear)
     }
 
-    /// Torques of the motors that hold the tensions of a state (N·m); none with ideal winches.
+    /// Torques of the motors that hold the tensions of a state (N·m); empty for ideal winches.
     pub fn holding_torques(&self, state: &PlantState) -> Result<Vec<f64>, StepError> {
         let torque = |(index, drum): (usize, &super::plant::Drum)| {
             let cable = &state.cables[index];

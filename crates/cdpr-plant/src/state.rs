@@ -1,4 +1,4 @@
-//! State of a machine in time: where it is, how it moves, and what its cables and winches are doing.
+//! State of a machine in time: pose, motion, cables and winches.
 
 use nalgebra::Vector3;
 
@@ -9,7 +9,7 @@ use super::plant::Plant;
 use super::pulls::Pulls;
 use cdpr_model::geometry::{Pose, Twist, Wrench};
 
-/// State of a machine, owned by whoever drives it: a clone is a snapshot, and putting it back gives the same bytes again.
+/// State of a machine, owned by the caller: a clone is a snapshot, and continuing from it gives the same bits again.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PlantState {
     /// Time since the start (s).
@@ -20,11 +20,11 @@ pub struct PlantState {
     pub(super) momentum: Momentum,
     /// Cables and winches.
     pub cables: Vec<CableMotion>,
-    /// The platform with all loads that it took up.
+    /// Inertia of the platform with all loads that it took up.
     pub inertia: Inertia,
     /// Loads taken up since the start.
     pub(super) added: Added,
-    /// Friction of the drums by now; empty with ideal winches.
+    /// Current friction of the drums; empty for ideal winches.
     pub(super) friction: Vec<Friction>,
     /// Further wrench on the platform (world axes, moment about the platform origin; N, N·m).
     pub external: Wrench,
@@ -32,7 +32,7 @@ pub struct PlantState {
     pub(super) pulls: Pulls,
 }
 
-/// Loads that a platform took up: their mass (kg) and first moment (platform frame, kg·m).
+/// Loads taken up by a platform: their mass (kg) and first moment (platform frame, kg·m).
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct Added {
     pub(super) mass: f64,
@@ -45,12 +45,12 @@ impl PlantState {
         self.inertia.twist(&self.pose, &self.momentum)
     }
 
-    /// Gives the platform a twist.
+    /// Sets the twist of the platform.
     pub fn set_twist(&mut self, twist: &Twist) {
         self.momentum = self.inertia.momentum(&self.pose, twist);
     }
 
-    /// Moves the platform; winches and memories stay.
+    /// Moves the platform; winches, memories and twist are unchanged.
     pub fn set_pose(&mut self, pose: Pose) {
         let twist = self.twist();
         self.pose = pose;
@@ -70,7 +70,7 @@ impl PlantState {
         wrench
     }
 
-    /// True when every number is finite.
+    /// True if every number is finite.
     pub(super) fn is_finite(&self) -> bool {
         let momentum = self.momentum.linear.iter().chain(self.momentum.angular.iter());
         self.pose.is_finite() && momentum.into_iter().all(|x| x.is_finite())

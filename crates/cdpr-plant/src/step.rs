@@ -1,9 +1,10 @@
-//! One step in time.
+//! One step in time of the machine.
 //!
-//! H = T(p, L) + V(x, R): forces at a fixed pose change the momentum (a *kick*), and the free body moves with it (a *drift*, exact to rounding).
-//! Seven kicks and six drifts, symmetric, make a step of order four that is symplectic (Blanes and Moan 2002, SRKN₆ᵇ); the last kick of a
-//! step and the first of the next one share their pose, so that a step looks at the cables six times. Dampers and friction act within the
-//! kicks, which then follow the classical Runge–Kutta rule at the fixed pose.
+//! H = T(p, L) + V(x, R): forces at a fixed pose change the momentum (a *kick*), and the free body moves with it (a
+//! *drift*, exact to rounding). Seven kicks and six drifts, symmetric, make a step of order four that is symplectic
+//! (Blanes and Moan 2002, SRKN₆ᵇ); the last kick of a step and the first of the next one have the same pose, so that a
+//! step evaluates the cables six times. Dampers and friction act within the kicks, which then follow the classical
+//! Runge–Kutta rule at the fixed pose.
 
 use super::command::Command;
 use super::error::StepError;
@@ -11,7 +12,7 @@ use super::momentum::{LARGEST_TURN, Momentum};
 use super::plant::Plant;
 use super::state::PlantState;
 
-/// Shares of the step of the kicks and of the drifts after them; the first kick is the last one too.
+/// Fractions of the step for the kicks and for the drifts after them; the first kick is also the last.
 const STAGES: [(f64, f64); 6] = [(B1, A1), (B2, A2), (B3, A3), (B4, A3), (B3, A2), (B2, A1)];
 const B1: f64 = 0.082_984_406_417_405_2;
 const B2: f64 = 0.396_309_801_498_368;
@@ -21,15 +22,16 @@ const A2: f64 = 0.604_872_665_711_080;
 const B4: f64 = 1.0 - 2.0 * (B1 + B2 + B3);
 const A3: f64 = 0.5 - (A1 + A2);
 
-/// Kick in the middle of a step.
+/// Index of the kick in the middle of a step.
 const MIDDLE: usize = 3;
-/// Way that a constant acceleration has led the pose of the middle kick too far, over the acceleration and the square of the step.
+/// Excess by which a constant acceleration has moved the pose of the middle kick, over the acceleration and the square
+/// of the step.
 pub(super) const MIDDLE_AHEAD: f64 = B1 * 0.5 + B2 * (0.5 - A1) + B3 * (0.5 - A1 - A2) - 0.125;
 
 impl Plant {
-    /// Leads a state on by a time (s) under commands, one per cable. Claims no memory.
+    /// Advances a state by a time (s) under commands, one per cable. Allocates no memory.
     ///
-    /// After an error the state is where the step failed; a snapshot taken before leads back.
+    /// After an error the state is where the step failed; restore a snapshot taken before.
     pub fn step(&self, state: &mut PlantState, commands: &[Command], time: f64) -> Result<(), StepError> {
         self.check_commands(&state.cables, commands)?;
         let turn = state.inertia.angular_velocity(&state.pose.rotation, &state.momentum.angular).norm() * time;
@@ -46,7 +48,7 @@ impl Plant {
         }
     }
 
-    /// Kicks and drifts over a time (s).
+    /// Runs kicks and drifts over a time (s).
     #[inline]
     pub(super) fn stages(&self, state: &mut PlantState, commands: &[Command], time: f64) -> Result<(), StepError> {
         for (index, (kick, drift)) in STAGES.into_iter().enumerate() {
@@ -65,7 +67,7 @@ impl Plant {
         self.kick(state, commands, B1 * time)
     }
 
-    /// Notes what every cable's law and damper are in the middle of the stages, from what is noted and what they are.
+    /// Updates the middle value of every cable from the noted value and the present sum of law and damper (N).
     #[inline]
     fn note_middle(&self, state: &mut PlantState, note: impl Fn(f64, f64) -> f64) {
         for cable in 0..state.cables.len() {
@@ -75,7 +77,7 @@ impl Plant {
         }
     }
 
-    /// Speeds of ideal winches over the step, and which drums their friction holds.
+    /// Determines the speeds of ideal winches over the step, and which drums are held by friction.
     pub(super) fn prepare(&self, state: &mut PlantState, commands: &[Command], time: f64) -> Result<(), StepError> {
         if !self.drums.is_empty() {
             return self.prepare_drums(state, commands);
@@ -93,7 +95,7 @@ impl Plant {
         Ok(())
     }
 
-    /// Ideal winches stand where they were told to go, drums that came to a stop within the step rest.
+    /// Sets ideal winches to their commanded lengths, and stops drums that came to rest within the step.
     pub(super) fn finish(&self, state: &mut PlantState) {
         if !self.drums.is_empty() {
             return self.finish_drums(state);
@@ -103,7 +105,7 @@ impl Plant {
         }
     }
 
-    /// Forces at the pose act for a time (s).
+    /// Applies the forces at the pose for a time (s).
     #[inline]
     fn kick(&self, state: &mut PlantState, commands: &[Command], time: f64) -> Result<(), StepError> {
         state.pulls.find(self, &state.pose, &mut state.cables)?;
@@ -133,7 +135,7 @@ impl Plant {
         Ok(())
     }
 
-    /// The free body moves on, winches turn.
+    /// Moves the free body and the winches for a time (s).
     #[inline]
     fn drift(&self, state: &mut PlantState, time: f64) -> Result<(), StepError> {
         let moved = state.inertia.drift(&state.pose, &state.momentum, time);
@@ -148,7 +150,7 @@ impl Plant {
         Ok(())
     }
 
-    /// Lengths and tensions of the state's pose and twist, and what the cables remember by now.
+    /// Computes lengths and tensions for the state's pose and twist, and updates the memories of the cables.
     pub fn observe(&self, state: &mut PlantState) -> Result<(), StepError> {
         state.pulls.find(self, &state.pose, &mut state.cables)?;
         let twist = state.twist();
@@ -159,7 +161,7 @@ impl Plant {
             cable.tension = if cable.is_broken { 0.0 } else { (law.clipped(rate) + law.weight).max(0.0) };
             cable.length = state.pulls.lengths[index];
             if let Some(memory) = &mut cable.memory {
-                // dampers leave no trace in the rope
+                // dampers have no effect on the rope's memory
                 let stretched = self.model.law(index).stretch.with_memory(memory);
                 *memory = stretched.memory_at(law.tension + law.weight).unwrap_or(*memory);
             }

@@ -22,7 +22,8 @@ use cdpr_model::geometry::{Pose, Twist};
 use cdpr_model::model::{Composition, Model};
 use cdpr_model::robot::{CableStiffness, Robot, StiffnessBasis};
 
-/// The CableRobot Simulator hung off-centre, its cables as springs whose energy is a function of lengths.
+/// The CableRobot Simulator with its centre of mass off-centre, and cables as springs whose energy is a function of
+/// lengths.
 pub(super) fn simulator() -> Robot {
     let mut robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
     robot.platform.center_of_mass = Some(Vector3::new(-0.09, -0.05, 0.1));
@@ -73,7 +74,7 @@ pub(super) fn displaced(plant: &Plant, state: &PlantState, displacement: &[f64])
     moved
 }
 
-/// So many steps with the winches as they are.
+/// Takes `count` steps with constant winches.
 pub(super) fn hold(plant: &Plant, state: &mut PlantState, step: f64, count: usize) {
     let lengths: Vec<f64> = state.cables.iter().map(|cable| cable.controlled_length).collect();
     for _ in 0..count {

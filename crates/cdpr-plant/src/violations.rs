@@ -3,40 +3,42 @@
 use super::state::PlantState;
 use cdpr_model::robot::Robot;
 
-/// A limit that is missed by less than this share of it is kept: what rounding makes of a start at the limit.
+/// Fraction of a limit below which missing it does not count: the rounding of a start at the limit.
 const ROUNDING: f64 = 1e-6;
 
-/// Stretch of time in which a cable breaks a limit of its tension, or is slack where none is stated; a cable that broke does neither.
+/// Interval of time in which a cable breaks a limit of its tension, or is slack if none is stated; a broken cable does
+/// neither.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Violation {
     /// Cable (0-based).
     pub cable: usize,
-    /// Key of the robot file that states the limit; nothing of a slack cable whose file states no least tension above zero: no limit is broken.
+    /// Key of the robot file that states the limit; `None` for a slack cable whose file states no least tension above
+    /// zero, so that no limit is broken.
     pub limit: Option<&'static str>,
-    /// Limit (N); 0 of a slack cable.
+    /// Limit (N); 0 for a slack cable.
     pub bound: f64,
     /// Time of the first step that shows it (s).
     pub from: f64,
     /// Time of the last one (s).
     pub to: f64,
-    /// Length of all steps that end with it (s).
+    /// Total length of the steps whose ends break the limit (s).
     pub duration: f64,
     /// Tension farthest from the limit (N).
     pub worst: f64,
 }
 
-/// Judge of a run, who looks at the state after every step.
+/// Judge of a run, which checks the state after every step.
 #[derive(Clone, Debug)]
 pub(super) struct Judge {
     /// Limits of each cable.
     watched: Vec<Vec<Watched>>,
     /// Time between records (s).
     record: f64,
-    /// Time of the last look (s).
+    /// Time of the last check (s).
     last: f64,
 }
 
-/// A limit of one cable, with the stretches of time that break it; those less than a record apart are one.
+/// A limit of one cable, with the intervals of time that break it; intervals less than a record apart are merged.
 #[derive(Clone, Debug)]
 struct Watched {
     limit: Option<&'static str>,
@@ -46,7 +48,7 @@ struct Watched {
 }
 
 impl Judge {
-    /// A judge with the limits of a robot file, before the first look.
+    /// A judge with the limits of a robot file, before the first check.
     pub(super) fn new(robot: &Robot, record: f64) -> Self {
         let watch = |limit: Option<&'static str>, bound: f64, is_largest: bool| Watched {
             limit,
@@ -65,7 +67,7 @@ impl Judge {
         Self { watched: robot.cables.iter().map(of_cable).collect(), record, last: 0.0 }
     }
 
-    /// Looks at the state after a step, whose tensions are observed.
+    /// Checks the state after a step, for which tensions must be observed.
     pub(super) fn look(&mut self, state: &PlantState) {
         let step = state.time - self.last;
         self.last = state.time;
@@ -76,7 +78,7 @@ impl Judge {
         }
     }
 
-    /// Findings by time and cable.
+    /// Violations sorted by time, then cable.
     pub(super) fn found(self) -> Vec<Violation> {
         let mut all: Vec<Violation> = self.watched.into_iter().flatten().flat_map(|limit| limit.found).collect();
         all.sort_by(|a, b| a.from.total_cmp(&b.from).then(a.cable.cmp(&b.cable)));
@@ -93,7 +95,7 @@ impl Watched {
         }
     }
 
-    /// Takes note of a step that ends with it.
+    /// Records a step that ends in violation of the limit.
     fn note(&mut self, (cable, tension): (usize, f64), (time, step): (f64, f64), record: f64) {
         match self.found.last_mut() {
             Some(last) if time - last.to <= record.max(step) => {

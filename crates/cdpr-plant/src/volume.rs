@@ -1,17 +1,17 @@
-//! Volume of what a run records, known before its first step.
+//! Volume of a run's records, known before its first step.
 
 use super::log::LogFormat;
 use super::plant::Plant;
 use super::scenario::Time;
 use super::sensors::Sensors;
 
-/// Times that differ by less than this share of a step are one.
+/// Fraction of a step below which times are equal.
 pub(super) const SAME_TIME: f64 = 1e-6;
 
 /// Characters of a number in a CSV file, comma included.
 const NUMBER: u64 = 19;
 
-/// Volume of what a run records, if it gets to its end.
+/// Volume of a run's records, if it gets to its end.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub struct Volume {
     /// Duration of the whole run (s).
@@ -22,7 +22,7 @@ pub struct Volume {
     pub log_rows: u64,
     /// Rows of all CSV files, those of the sensors included.
     pub rows: u64,
-    /// Bytes of these files, about.
+    /// Approximate bytes of these files.
     pub bytes: u64,
 }
 
@@ -46,7 +46,7 @@ impl Volume {
     }
 }
 
-/// Steps of the grid, and how many of them lie between two records.
+/// Count of steps of the grid, and count of steps from one record to the next.
 pub(super) fn grid(time: &Time) -> (u64, u64) {
     let Time { duration_s: duration, step_s: step, record_s, .. } = *time;
     let every = (record_s.unwrap_or(10.0 * step) / step).round().max(1.0) as u64;

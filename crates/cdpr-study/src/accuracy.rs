@@ -1,4 +1,4 @@
-//! How accurately a control model drives a machine (eq. 3.3–3.8, 6.6).
+//! Accuracy with which a control model drives a machine (eq. 3.3–3.8, 6.6).
 
 use std::collections::BTreeMap;
 
@@ -24,20 +24,20 @@ pub struct Accuracy {
     pub position_error_m: PoseErrorStatistics,
     /// Geodesic angle between commanded and emerging orientation (rad).
     pub rotation_error_rad: PoseErrorStatistics,
-    /// Lengths that the control model sends for the emerging pose, minus those it sent for the commanded one (eq. 6.6; m).
+    /// Lengths that the control model computes for the emerging pose, minus those it sent for the commanded one (eq.
+    /// 6.6; m).
     pub length_error_m: LengthErrorStatistics,
-    /// Emerging less commanded tensions (N); `None` where control model or machine knows none.
+    /// Emerging minus commanded tensions (N); `None` if control model or machine has no tensions.
     pub tension_error_N: Option<TensionErrorStatistics>,
-    /// Smallest tension that emerges (N); `None` for a rigid machine.
+    /// Smallest emerging tension (N); `None` for a rigid machine.
     pub tension_min_N: Option<f64>,
-    /// Largest tension that emerges (N).
+    /// Largest emerging tension (N); `None` for a rigid machine.
     pub tension_max_N: Option<f64>,
-    /// Number of poses by how their answer was found; only converged ones count in the errors.
+    /// Number of poses by the status of their answer; only converged ones count in the errors.
     pub statuses: BTreeMap<&'static str, usize>,
     /// Poses at which at least one cable is slack.
     pub slack_samples: usize,
-    /// Share of the converged poses with a tension outside the limits; `None` for a rigid machine, or where no limits are
-    /// known.
+    /// Fraction of the converged poses with a tension outside the limits; `None` for a rigid machine or unknown limits.
     pub outside_limits_share: Option<f64>,
     /// Effect of the map that corrects the control model; `None` without one.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -45,14 +45,14 @@ pub struct Accuracy {
 }
 
 impl Accuracy {
-    /// Remark on odd numbers: the poses lie outside the machine's reach.
+    /// Remark for the user if the tensions break their limits at every pose; else `None`.
     pub fn remark(&self) -> Option<String> {
         let settled = self.statuses.get(Status::Converged.name()).copied().unwrap_or(0);
         (settled > 0 && self.outside_limits_share == Some(1.0)).then(|| outside_reach(settled))
     }
 }
 
-/// Words for tensions that break their limits at every pose.
+/// Text for tensions that break their limits at every pose.
 pub(super) fn outside_reach(poses: usize) -> String {
     format!(
         "the tensions break their limits at each of the {poses} poses that the machine comes to rest at: they lie outside its reach, \
@@ -60,16 +60,17 @@ pub(super) fn outside_reach(poses: usize) -> String {
     )
 }
 
-/// Outcomes at every pose, with the errors.
+/// Outcomes at every pose, with error statistics.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Assessment {
-    /// Pose by pose.
+    /// Outcomes, pose by pose.
     pub outcomes: Vec<Outcome>,
-    /// The statistics.
+    /// Statistics of the errors.
     pub accuracy: Accuracy,
 }
 
-/// Sends poses through the control model to the machine and compares what emerges with what was commanded.
+/// Commands poses through the control model to the machine and compares the emerging poses and tensions with the
+/// commanded ones.
 pub fn assess(
     control: impl Into<Control>,
     machine: &Model,
@@ -79,7 +80,7 @@ pub fn assess(
     assess_operation(&mut Operation::new(control, machine, offsets)?, poses)
 }
 
-/// [`assess`] of an operation, as one with history is.
+/// [`assess`] for an operation, which may have a history.
 pub fn assess_operation(operation: &mut Operation, poses: &[CommandedPose]) -> Result<Assessment, InputError> {
     if poses.is_empty() {
         return Err(InputError::NoPoses);
@@ -113,7 +114,7 @@ pub fn assess_operation(operation: &mut Operation, poses: &[CommandedPose]) -> R
     Ok(Assessment { outcomes, accuracy })
 }
 
-/// Emerging less commanded tensions of all answers that converged; `None` where control model or machine knows none.
+/// Emerging minus commanded tensions of all converged answers (N); `None` if control model or machine has no tensions.
 pub(super) fn force_tracking<'o>(outcomes: impl Iterator<Item = &'o Outcome>) -> Option<TensionErrorStatistics> {
     let converged = outcomes.filter(|outcome| outcome.status == Status::Converged);
     let rows: Vec<Vec<f64>> = converged.filter_map(Outcome::tension_errors).collect();
@@ -121,7 +122,7 @@ pub(super) fn force_tracking<'o>(outcomes: impl Iterator<Item = &'o Outcome>) ->
     Some(TensionErrorStatistics::of(&rows.concat(), cables))
 }
 
-/// Errors pose by pose.
+/// Errors, pose by pose (m, rad, m).
 #[derive(Default)]
 struct Errors {
     position: Vec<f64>,
@@ -133,7 +134,7 @@ impl Errors {
     fn add(&mut self, operation: &mut Operation, command: &CommandedPose, outcome: &Outcome) {
         self.position.push((outcome.pose.position - command.pose.position).norm());
         self.rotation.push(outcome.pose.angle_to(&command.pose));
-        // an elastic control model may have no tensions to send at a pose that only emerged
+        // an elastic control model may have no tensions at an emerging pose
         if let (Ok(sent), Ok(emerging)) = (operation.command(&command.pose), operation.command(&outcome.pose)) {
             self.length.extend(emerging.iter().zip(&sent).map(|(emerging, sent)| emerging - sent));
         }

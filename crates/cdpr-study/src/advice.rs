@@ -1,4 +1,4 @@
-//! Which control model is good enough: every composition against the richest machine that a robot's file supports.
+//! Choice of a control model: every composition is compared on the richest machine that a robot's file supports.
 
 #[cfg(test)]
 mod tests;
@@ -16,51 +16,51 @@ use cdpr_model::geometry::Pose;
 use cdpr_model::model::{Composition, Model, ModelError, StretchEffect, Supported};
 use cdpr_model::tension::{Limits, Method};
 
-/// Control model judged on the machine over the poses of a task.
+/// A control model judged on the machine over the poses of a task.
 ///
-/// Errors are those at the poses that are compared: where every candidate has an answer ([`Advice::compared`]), so that they are of
-/// the same poses.
+/// Errors are those at the compared poses, at which every candidate has an answer ([`Advice::compared`]), so that all
+/// candidates are judged at the same poses.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Candidate {
     /// Effects of the control model.
     pub control: Composition,
-    /// Effects of the machine that it leaves out, or has in a simpler form.
+    /// Effects of the machine that the control model leaves out or has in a simpler form.
     pub left_out: Vec<&'static str>,
     /// Distance between commanded and emerging position (m).
     pub position_error: PoseErrorStatistics,
     /// Angle between commanded and emerging orientation (rad).
     pub rotation_error: PoseErrorStatistics,
-    /// Emerging tensions minus those that a control model like the machine brings about: mean over poses of the 2-norm (N);
-    /// `None` for a rigid machine.
+    /// Emerging tensions minus those under a control model like the machine: mean over poses of the 2-norm (N); `None`
+    /// for a rigid machine.
     pub tension_error: Option<f64>,
     /// Poses at which the platform comes to rest.
     pub answered: usize,
-    /// Poses that are reached: the platform comes to rest with tensions within their limits and a position error of at most the
-    /// accuracy.
+    /// Poses that are reached: the platform comes to rest with tensions within their limits and a position error of at
+    /// most the required accuracy.
     pub reached: usize,
-    /// The same, whatever the error.
+    /// The same for any position error.
     pub commanded: usize,
-    /// Numbers that its effects need, from identification or a test bench, anchors not counted.
+    /// Count of the numbers that its effects need from identification or a test bench, without anchors.
     pub parameter_count: usize,
-    /// Why the first pose without an answer has none, if there is one.
+    /// Reason for which the first unanswered pose has no answer; `None` if all are answered.
     pub reason: Option<String>,
 }
 
-/// Candidates with the one to take.
+/// Candidates with the recommended one.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Advice {
     /// Effects of the machine.
     pub machine: Composition,
-    /// From the simplest to the richest, which has the effects of the machine.
+    /// Candidates from the simplest to the richest, which has the effects of the machine.
     pub candidates: Vec<Candidate>,
     /// Poses of the task.
     pub poses: usize,
-    /// Poses at which every candidate has an answer that has one anywhere.
+    /// Poses at which every candidate has an answer; candidates without any answer do not count.
     pub compared: usize,
-    /// Poses that at least one candidate reaches.
+    /// Poses reached by at least one candidate.
     pub attainable: usize,
-    /// Index of the simplest candidate that reaches as many poses as the one like the machine; `None` if that one reaches
-    /// none.
+    /// Index of the simplest candidate that reaches as many poses as the one like the machine; `None` if that one
+    /// reaches none.
     pub recommended: Option<usize>,
 }
 
@@ -70,13 +70,13 @@ impl Advice {
         self.candidates.iter().find(|candidate| candidate.control == self.machine)
     }
 
-    /// Poses that a candidate reaches, as a share of those that any candidate reaches; 0 where none reaches anything.
+    /// Poses that a candidate reaches, as a fraction of those that any candidate reaches; 0 if none reaches any.
     pub fn reached_share(&self, candidate: &Candidate) -> f64 {
         candidate.reached as f64 / self.attainable.max(1) as f64
     }
 }
 
-/// Reason why no advice can be given.
+/// Reason for which no advice can be given.
 #[derive(Clone, Debug, PartialEq, thiserror::Error)]
 pub enum AdviceError {
     /// A model that cannot be built.
@@ -85,25 +85,26 @@ pub enum AdviceError {
     /// Models that cannot be operated.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// No poses to judge by.
+    /// The task has no poses.
     #[error("the task has no poses")]
     NoPoses,
-    /// There is nowhere to set the winches.
+    /// The file has no home pose, at which the winches are set.
     #[error("the robot file has no home pose, at which the winches are set: add [home_pose]")]
     NoHome,
-    /// Only one model can be built of the file.
+    /// The file supports only one model.
     #[error("the robot file supports no effect beyond `standard`, so that there is nothing to choose: {missing}")]
     NothingToChoose {
-        /// Keys that the effects lack.
+        /// Keys that the other effects lack.
         missing: String,
     },
 }
 
 /// Compares control models on the machine with the richest composition that the robot's file supports.
 ///
-/// Winches are set at the home pose with the tensions nearest to the middle of the limits, with each control model in its turn:
-/// all have the same robot, so that what differs is what they leave out. A machine whose cables remember comes to every pose from
-/// there. `accuracy` is the largest position error (m); those that command tensions choose them by `tension_method`.
+/// Winches are set at the home pose with the tensions nearest to the middle of the limits, once with each control
+/// model: all have the same robot, so that they differ only in the effects that they leave out. A machine with
+/// hysteresis comes to every pose from the home pose. `accuracy` is the largest position error (m); models that command
+/// tensions choose them by `tension_method`.
 pub fn advise(
     machine: &Model,
     supported: &Supported,
@@ -125,12 +126,12 @@ pub fn advise(
         let model = Model::new(machine.robot().clone(), control)?;
         runs.push((control, outcomes(Control { tension_method, ..Control::from(&model) }, machine, &home, poses)?));
     }
-    // of as many effects the one nearest to a real cable last, which is the machine's
+    // for equal numbers of effects, the stretch law nearest to a real cable comes last: the machine's
     runs.sort_by_key(|(control, _)| (control.effect_count(), control.stretch.richness()));
     Ok(Task::new(machine, poses, accuracy, &runs).advice(&runs))
 }
 
-/// Emerging states at each pose under a control model with which the winches were set at the home pose.
+/// Emerging states at each pose under a control model, with which the winches were set at the home pose.
 fn outcomes(control: Control, machine: &Model, home: &Pose, poses: &[Pose]) -> Result<Vec<Outcome>, InputError> {
     let initial = Initial {
         tension_method: Some(Method::Qp),
@@ -142,7 +143,7 @@ fn outcomes(control: Control, machine: &Model, home: &Pose, poses: &[Pose]) -> R
     Ok(driving.with_history(History::of(machine, None).as_ref(), home).outcomes(poses))
 }
 
-/// Compositions of effects that the machine has, each as the machine has it, in a simpler form, or not at all.
+/// Compositions of the machine's effects, each in the machine's form, in a simpler form, or left out.
 fn compositions(full: Composition, supported: &Supported) -> impl Iterator<Item = Composition> {
     let stretches: Vec<StretchEffect> = [StretchEffect::Rigid, full.stretch]
         .into_iter()
@@ -156,7 +157,7 @@ fn compositions(full: Composition, supported: &Supported) -> impl Iterator<Item 
     })
 }
 
-/// A control model with what emerges under it, pose by pose.
+/// A control model with its outcomes, pose by pose.
 type Run = (Composition, Vec<Outcome>);
 
 /// Task by which all candidates are judged.
@@ -167,14 +168,14 @@ struct Task<'a> {
     limits: Option<Limits>,
     /// Outcomes under a control model like the machine.
     reference: &'a [Outcome],
-    /// Poses at which all have an answer.
+    /// Poses at which all candidates have an answer.
     compared: Vec<usize>,
 }
 
 impl<'a> Task<'a> {
     fn new(machine: &'a Model, poses: &'a [Pose], accuracy: f64, runs: &'a [Run]) -> Self {
         let is_settled = |outcome: &Outcome| outcome.status == Status::Converged;
-        // a model that answers nowhere says so itself, and leaves the others to be compared
+        // a model that has no answer anywhere reports that itself, and does not prevent the comparison of the others
         let answering = || runs.iter().map(|(_, outcomes)| outcomes).filter(|outcomes| outcomes.iter().any(is_settled));
         let all_answer = |pose: &usize| answering().all(|outcomes| is_settled(&outcomes[*pose]));
         let full = machine.composition();
@@ -234,7 +235,7 @@ impl<'a> Task<'a> {
         (outcome.pose.position - self.poses[pose].position).norm()
     }
 
-    /// True where the platform comes to rest with tensions within their limits.
+    /// True if the platform comes to rest with tensions within their limits.
     fn keeps_limits(&self, outcome: &Outcome) -> bool {
         let is_within = match (&self.limits, &outcome.tensions) {
             (Some(limits), Some(tensions)) => limits.contain(tensions, limits.tolerance()),

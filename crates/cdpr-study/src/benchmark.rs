@@ -1,8 +1,9 @@
 //! Benchmark of robots and control models under the same rules (sec. 7.2; C38).
 //!
-//! Every robot is driven as its own machine, whose numbers deviate from its file as those of built robots do, by every control model that its file supports:
-//! as the file has it, and after identification from one record of the same sensors. Errors are those of eq. 3.4–3.8, relative ones by the diagonal of the
-//! poses, so that robots of different size stand side by side.
+//! Every robot is driven as its own machine, with numbers that deviate from its file as those of built robots do, by
+//! every control model that its file supports: with the numbers of the file, and after identification from one record
+//! of the same sensors. Errors are those of eq. 3.4–3.8; relative errors are divided by the diagonal of the poses, so
+//! that robots of different size are comparable.
 
 mod machine;
 mod rules;
@@ -21,67 +22,67 @@ use machine::Machine;
 use rules::BenchmarkError;
 pub use rules::BenchmarkRules;
 
-/// Errors over the poses, driven on the machine without noise.
+/// Errors over the poses, driven on the machine without sensor noise.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 #[expect(non_snake_case, reason = "the fields are the keys of the answer, units included")]
 pub struct BenchmarkErrors {
     /// Mean position error ε_x (m; eq. 3.4).
     pub position_mean_m: f64,
-    /// Largest (m; eq. 3.8).
+    /// Largest position error (m; eq. 3.8).
     pub position_max_m: f64,
-    /// Mean over the diagonal of the poses (eq. 3.5–3.7).
+    /// Mean position error divided by the diagonal of the poses (eq. 3.5–3.7).
     pub position_relative: f64,
-    /// Mean rotation error ε_Φ (rad).
+    /// Mean rotation error ε_Φ (rad); `None` if the platform does not turn.
     pub rotation_mean_rad: Option<f64>,
     /// Mean magnitude of length errors ε_q (m; eq. 6.6).
     pub length_mean_abs_m: f64,
-    /// Mean over poses of the 2-norm of tension errors ε_f (N); of control models that command tensions.
+    /// Mean over poses of the 2-norm of tension errors ε_f (N); `None` for control models that command no tensions.
     pub tension_mean_norm_N: Option<f64>,
-    /// Share of the poses at which the machine rests within its tension limits.
+    /// Fraction of the poses at which the machine comes to rest within its tension limits.
     pub reach_share: f64,
 }
 
-/// A robot under a control model.
+/// Result of one robot under one control model.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct BenchmarkRow {
-    /// Robot.
+    /// Name of the robot.
     pub robot: String,
     /// Motion pattern.
     pub motion_pattern: &'static str,
     /// Number of cables m.
     pub cables: usize,
-    /// Model that answers.
+    /// Composition of the machine.
     pub machine: String,
-    /// Control model.
+    /// Composition of the control model.
     pub model: String,
-    /// Poses driven to.
+    /// Number of commanded poses.
     pub poses: usize,
-    /// Diagonal of their box d (m).
+    /// Diagonal d of the box of the poses (m).
     pub diagonal_m: f64,
-    /// With the numbers of the file.
+    /// Errors with the numbers of the file.
     pub nominal: BenchmarkErrors,
-    /// Free parameters.
+    /// Count of free parameters.
     pub parameter_count: usize,
-    /// Samples n_s that were identified from.
+    /// Number of samples n_s used for identification.
     pub samples: usize,
-    /// With identified ones.
+    /// Errors with identified numbers; `None` if nothing was identified.
     pub identified: Option<BenchmarkErrors>,
-    /// Reason why nothing was identified.
+    /// Reason for which nothing was identified.
     pub reason: Option<String>,
 }
 
-/// All robots under all models.
+/// Results of all robots under all models.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Benchmark {
     /// Rules.
     pub rules: BenchmarkRules,
-    /// Robots in their order, each with its models from poor to rich.
+    /// Results robot by robot, each with its models from the simplest to the richest.
     pub rows: Vec<BenchmarkRow>,
     /// Robots that cannot take part, with the reason.
     pub left_out: Vec<(String, String)>,
 }
 
-/// Drives these robots, each by the control models that its file supports and that are asked for (all without).
+/// Drives these robots, each by the control models that its file supports, restricted to `models` if given.
 pub fn benchmark(robots: &[Robot], models: Option<&[Composition]>, rules: &BenchmarkRules) -> Benchmark {
     let found = map_all(robots.len(), |index| of_robot(&robots[index], models, rules));
     let mut benchmark = Benchmark { rules: *rules, rows: Vec::new(), left_out: Vec::new() };
@@ -134,7 +135,8 @@ fn row(
     })
 }
 
-/// Number of parameters and samples, and errors with what was identified. Free are the frame anchors, of elastic models with compliances.
+/// Number of parameters and samples, and errors after identification. Free parameters are the frame anchors, and for
+/// elastic models the compliances too.
 fn identified(
     experiment: &Experiment,
     machine: &Machine,
@@ -145,7 +147,7 @@ fn identified(
         true => "frame-anchor,compliance",
         false => "frame-anchor",
     };
-    // anchors lie as drawn to what anchors deviate
+    // anchors deviate with the standard deviation from which the machine's were drawn
     let prior = Prior { kind: ParameterKind::FrameAnchor, sigma: machine.anchor_sigma };
     let settings = fit::Settings { priors: vec![prior], ..fit::Settings::default() };
     let found = fit(&experiment.control, &record, &free.parse()?, &settings)?;

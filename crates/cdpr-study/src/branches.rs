@@ -1,4 +1,4 @@
-//! How far apart the branches of a machine with history lie: where a pose ends depends on where the platform came from.
+//! Distance between the branches of a machine with history: the emerging pose depends on the path to it.
 
 use serde::Serialize;
 
@@ -12,15 +12,15 @@ use cdpr_model::control::{CommandedPose, History, Reach};
 use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 
-/// Distances between what emerges at the same command after different ways, over the commanded poses, SI units.
+/// Distances between the outcomes of the same command after different paths, over the commanded poses, SI units.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[expect(non_snake_case, reason = "the fields are the keys of the answer, units included")]
 pub struct Branches {
-    /// How far the platform came along each translation, from either side (m).
+    /// Length of the detour along each translation, to either side (m).
     pub stroke_m: f64,
-    /// Poses at which all ways come to rest; only these count.
+    /// Poses at which the platform comes to rest after every path; only these count.
     pub samples: usize,
-    /// Ways to each of them: straight from the initial pose, and from both sides along each translation.
+    /// Count of paths to each pose: straight from the initial pose, and from both sides along each translation.
     pub ways: usize,
     /// Largest distance between two of the emerging positions (m).
     pub position_spread_m: PoseErrorStatistics,
@@ -30,10 +30,10 @@ pub struct Branches {
     pub tension_spread_N: PoseErrorStatistics,
 }
 
-/// The spread between branches at these poses: each is reached from the initial pose, and after a detour of `stroke` (m) to
-/// either side along each translation of the pattern, always by cables that were never loaded before.
+/// The spread between branches at these poses: each is reached from the initial pose directly, and after a detour of
+/// `stroke` (m) to either side along each translation of the pattern, always with cables that were never loaded before.
 ///
-/// A machine without history has no spread but rounding.
+/// For a machine without history the spread is rounding.
 pub fn branches(
     control: impl Into<Control>,
     machine: &Model,
@@ -72,7 +72,7 @@ pub fn branches(
     })
 }
 
-/// None, and to either side along each translation.
+/// Detours: none, and to either side along each translation.
 fn detours(machine: &Model, stroke: f64) -> Vec<Option<nalgebra::Vector3<f64>>> {
     let sides = machine.axes().iter().flat_map(|axis| [Some(axis * stroke), Some(axis * -stroke)]);
     std::iter::once(None).chain(sides).collect()

@@ -1,4 +1,5 @@
-//! Costs of accuracy (sec. 7.2): a machine calibrated with a sensor, a control model and a number of poses, judged by validation and driven.
+//! Costs of accuracy (sec. 7.2): a machine is calibrated with a sensor, a control model and a number of poses, then
+//! validated and driven.
 
 #[cfg(test)]
 mod tests;
@@ -22,10 +23,10 @@ use cdpr_model::geometry::nearest_rotation;
 use cdpr_model::measurement::{InternalSamples, Samples, SensorSigmas};
 use cdpr_model::model::{Model, ModelError, ParameterError};
 
-/// Seeds of the records that judge, far from those that are fitted to.
+/// Offset between the seeds of records for validation and of records for fits.
 const JUDGING: u64 = 1_000_003;
 
-/// Calibration that cannot be made.
+/// Reason for which a calibration cannot be made.
 #[derive(Clone, Debug, PartialEq, Error)]
 enum CostError {
     #[error(transparent)]
@@ -45,7 +46,8 @@ enum CostError {
 }
 
 impl PreparedSweep {
-    /// Answers a point of a sweep over calibrations; what cannot be calibrated has a reason.
+    /// Answers a point of a sweep over calibrations; a point that cannot be calibrated has a reason instead of an
+    /// outcome.
     pub fn calibration_row(&self, point: usize, values: &[f64]) -> Row {
         let outcome = self.calibrated(values);
         let mut row = Row::without_answer(point, values, String::new());
@@ -67,15 +69,15 @@ impl PreparedSweep {
     }
 }
 
-/// A machine to be calibrated.
+/// A machine to calibrate.
 struct Calibration<'a> {
     experiment: Experiment,
     asked: CalibrationPoint<'a>,
     model: Model,
     settings: fit::Settings,
-    /// Accuracies of the sensors; position and rotation are unknown where poses are not measured.
+    /// Accuracies of the sensors; position and rotation are `None` if poses are not measured.
     sigmas: SensorSigmas,
-    /// Commands among which poses are taken, tension tests among them where the model is elastic.
+    /// Commands from which poses are chosen, with tension tests if the model is elastic.
     commands: Vec<CommandedPose>,
     /// Poses that count for accuracy.
     poses: Vec<CommandedPose>,
@@ -100,7 +102,7 @@ impl<'a> Calibration<'a> {
         Ok(Self { experiment, asked, model, settings, sigmas, commands, poses })
     }
 
-    /// One record, fitted to and judged.
+    /// Fits to one record and judges the result.
     fn outcome(&self, seed: u64) -> Result<CalibrationOutcome, CostError> {
         let mut commands = self.commands.clone();
         commands.shuffle(&mut ChaCha8Rng::seed_from_u64(seed));
@@ -129,7 +131,7 @@ impl<'a> Calibration<'a> {
             .filter(|(_, outcome)| outcome.status == Status::Converged)
             .map(|(commanded, outcome)| (commanded.pose, outcome.pose))
             .collect();
-        // who measures no poses knows no frame but the robot's own
+        // without measured poses the only known frame is the robot's own
         let robot = self.model.robot();
         let normal = robot.motion_pattern.is_planar().then(|| robot.plane.normal());
         let frame = if is_measured { Pose::identity() } else { best_frame(&emerged, normal) };
@@ -150,7 +152,7 @@ impl<'a> Calibration<'a> {
     }
 }
 
-/// Distances between commanded positions and emerging ones in a frame (m).
+/// Distances between commanded positions and emerging ones transformed by `frame` (m).
 fn missed(emerged: &[(Pose, Pose)], frame: &Pose) -> Vec<f64> {
     emerged
         .iter()
@@ -158,7 +160,8 @@ fn missed(emerged: &[(Pose, Pose)], frame: &Pose) -> Vec<f64> {
         .collect()
 }
 
-/// Rigid motion that brings emerging positions nearest to commanded ones in the least squares sense, of a planar robot about the normal of its plane.
+/// Rigid motion that brings emerging positions nearest to commanded ones (least squares); for a planar robot a rotation
+/// about the normal of its plane.
 fn best_frame(emerged: &[(Pose, Pose)], normal: Option<Vector3<f64>>) -> Pose {
     let count = emerged.len().max(1) as f64;
     let commanded = emerged.iter().map(|pair| pair.0.position).sum::<Vector3<f64>>() / count;
@@ -169,13 +172,13 @@ fn best_frame(emerged: &[(Pose, Pose)], normal: Option<Vector3<f64>>) -> Pose {
     Pose { position: commanded - rotation * emerging, rotation }
 }
 
-/// Samples whose poses nobody measured.
+/// Samples without measured poses.
 fn unknown(samples: &Samples, model: &Model) -> InternalSamples {
     let poses = vec![Pose::identity(); samples.len()];
     InternalSamples::without_poses(Samples { poses, ..samples.clone() }, model.dof(), false)
 }
 
-/// Means over records; the largest error is that of all.
+/// Means over records; the largest error is the largest of all records.
 fn mean(all: &[CalibrationOutcome]) -> CalibrationOutcome {
     let count = all.len() as f64;
     let mean = |own: fn(&CalibrationOutcome) -> f64| all.iter().map(own).sum::<f64>() / count;

@@ -1,4 +1,5 @@
-//! Campaigns: poses are planned, measured, identified from and planned again (sec. 4.1, 6.2), so that a better model reaches poses that tell more.
+//! Campaigns: poses are planned, measured, used for identification and planned again (sec. 4.1, 6.2), so that a better
+//! model reaches more informative poses.
 
 #[cfg(test)]
 mod tests;
@@ -20,16 +21,16 @@ use cdpr_model::measurement::{Samples, Split};
 use cdpr_model::model::{FreeParameters, Model, ParameterError};
 use cdpr_model::reading::Keyword;
 
-/// Parts of the record that are held out in turn.
+/// Number of parts of the record, each held out once.
 const PARTS: usize = 5;
 
-/// Starts of the exchanges of a round.
+/// Number of starts of the exchange algorithm in a round.
 const STARTS: u32 = 20;
 
-/// Mistake that ends a campaign.
+/// Error that ends a campaign.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum CampaignError {
-    /// A study without the table.
+    /// A study without the table `[campaign]`.
     #[error("the study has no table [campaign]: it says what is free, how many poses a round has and when it ends")]
     NoTable,
     /// A measure of designs that does not exist.
@@ -44,7 +45,7 @@ pub enum CampaignError {
     /// A fit that cannot be made, or a prior that cannot be read.
     #[error(transparent)]
     Fit(#[from] fit::InputError),
-    /// Poses that cannot be planned.
+    /// Poses that could not be planned.
     #[error(transparent)]
     Plan(#[from] PlanError),
     /// A machine that cannot be driven.
@@ -58,30 +59,31 @@ pub enum CampaignError {
 /// One round.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Round {
-    /// Number, from 1.
+    /// Number of the round, from 1.
     pub round: usize,
     /// Samples measured so far.
     pub poses: usize,
     /// Samples of this round.
     pub new_poses: usize,
-    /// Candidates that the controller of the round before reached and that had not been measured.
+    /// Candidates that the controller of the round before reached and that were not yet measured.
     pub candidates: usize,
-    /// Errors on samples that were held out in turn; `None` where they are too few to hold some out.
+    /// Errors on held-out samples; `None` if there are too few samples to hold some out.
     pub validation: Option<ErrorBlocks>,
-    /// Errors of the model of the round before on this round's samples, which it was not fitted to.
+    /// Errors of the model of the round before on this round's samples, to which it was not fitted.
     pub predicted: ErrorBlocks,
-    /// Errors with which the identified controller drives the machine of the study over all its poses; `None` where records come from files.
+    /// Errors with which the identified controller drives the study's machine over all its poses; `None` if records
+    /// come from files.
     pub driven: Option<Accuracy>,
-    /// Share of the study's poses that the identified controller reaches on the machine of the study.
+    /// Fraction of the study's poses that the identified controller reaches on the study's machine.
     pub reach_share: f64,
-    /// Root mean square over the study's poses of the driven position's deviation that the parameters' uncertainty makes (m); `None` where a parameter
-    /// is not determined.
+    /// Root mean square over the study's poses of the driven position's deviation due to the parameters' uncertainty
+    /// (m); `None` if a parameter is not determined.
     pub deviation_m: Option<f64>,
-    /// Free parameters and the directions that the data determine.
+    /// Count of free parameters.
     pub parameter_count: usize,
     /// Rank of the Jacobian.
     pub rank: usize,
-    /// How the fit ended.
+    /// Status of the fit.
     pub fit: Status,
 }
 
@@ -89,50 +91,50 @@ pub struct Round {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum CampaignStatus {
-    /// The error on held-out samples is as small as asked for.
+    /// The error on held-out samples has reached the required accuracy.
     AccuracyReached,
-    /// All poses of the budget are measured, with no accuracy asked for or reached.
+    /// All poses of the budget are measured; no accuracy was required, or it was not reached.
     BudgetSpent,
-    /// All rounds are over.
+    /// The largest number of rounds was reached.
     RoundsOver,
-    /// No pose is left that the controller reaches and that has not been measured.
+    /// The controller reaches no pose that was not yet measured.
     NothingLeft,
-    /// The record of a round is not there yet.
+    /// The record of a round is missing.
     Waiting,
 }
 
-/// All rounds so far.
+/// All rounds up to now.
 #[derive(Clone, Debug)]
 pub struct Campaign {
-    /// How it ended.
+    /// Reason for which the campaign ended.
     pub status: CampaignStatus,
-    /// Mean position error that was asked for (m).
+    /// Required mean position error (m); `None` if none is required.
     pub accuracy_m: Option<f64>,
     /// Rounds, in order.
     pub rounds: Vec<Round>,
-    /// Share of the study's poses that the first controller reaches.
+    /// Fraction of the study's poses that the first controller reaches.
     pub reach_at_first: f64,
-    /// Errors with which it drives; `None` where records come from files.
+    /// Errors with which the first controller drives; `None` if records come from files.
     pub driven_at_first: Option<Accuracy>,
-    /// The calibrated controller of the last round, the first one where there is none.
+    /// The calibrated controller of the last round, or the first controller if there is none.
     pub model: Model,
-    /// Poses that the campaign waits for.
+    /// Poses whose record is missing.
     pub waits_for: Vec<Pose>,
 }
 
-/// A round that is to be recorded.
+/// A round to be recorded.
 pub struct Order<'a> {
-    /// Number, from 1.
+    /// Number of the round, from 1.
     pub round: usize,
     /// The experiment with the controller of the round before.
     pub experiment: &'a Experiment,
-    /// Poses to command, in their order.
+    /// Poses to command, in order.
     pub poses: &'a [CommandedPose],
-    /// Lengths (and tensions) that the controller's model expects there.
+    /// Lengths (and tensions) that the controller's model predicts there.
     pub expected: &'a Samples,
 }
 
-/// Wishes of a campaign, read from its table.
+/// Settings of a campaign, read from its table.
 struct Wishes {
     free: FreeParameters,
     fit: fit::Settings,
@@ -151,10 +153,12 @@ impl Wishes {
 }
 
 impl Experiment {
-    /// Runs the rounds of the study's `[campaign]` over these poses, those of tension tests among them where the control model is elastic.
+    /// Runs the rounds of the study's `[campaign]` over these poses, including tension tests if the control model is
+    /// elastic.
     ///
-    /// `record` gives the samples of a round, or nothing where they are not there yet: the campaign then waits. Asked again with the same records it
-    /// plans the same poses and goes on. `seed` is that of the exchanges.
+    /// `record` returns the samples of a round, or `None` if they are not there yet: the campaign then waits. Called
+    /// again with the same records, it plans the same poses and continues. `seed` is the seed of the exchange
+    /// algorithm.
     pub fn campaign<E: From<CampaignError>>(
         &self,
         poses: &[CommandedPose],
@@ -235,13 +239,14 @@ impl Experiment {
         Ok(campaign)
     }
 
-    /// True where the study's machine makes the records.
+    /// True if the study's machine makes the records.
     fn is_virtual(&self) -> bool {
         use crate::study::CampaignRecord;
         self.study.campaign.as_ref().is_none_or(|table| table.record == CampaignRecord::Virtual)
     }
 
-    /// Commands that the controller can measure now, and the share of the poses that it reaches; tension tests leave theirs on purpose.
+    /// Commands that the controller can measure now, and the fraction of the poses that it reaches; tension tests do
+    /// not count, since they leave their pose on purpose.
     fn standing(&self, poses: &[CommandedPose]) -> Result<Standing, InputError> {
         let assessment = self.assess(poses)?;
         let plain = without_tests(poses);
@@ -262,14 +267,15 @@ impl Experiment {
             };
             Ok(poses.iter().zip(&assessment.outcomes).map(holds).collect())
         };
-        // a pose that is missed by centimetres can be measured all the same
+        // a pose missed by centimetres can still be measured
         let measurable = judged(Requirements { tensions: self.requirements().tensions, ..Requirements::default() })?;
         let reached = judged(self.requirements())?;
         let reached = reached.iter().zip(poses).filter(|(reached, pose)| **reached && pose.shortened.is_none()).count();
         Ok(Standing { measurable, reach_share: reached as f64 / plain.len().max(1) as f64, accuracy })
     }
 
-    /// The next best poses among open ones, by their places in the order of a path, with the records that the controller's model expects.
+    /// The next best poses among open ones, as indices in the order of a path, with the records that the controller's
+    /// model predicts.
     fn planned(
         &self,
         (poses, open, levels): (&[CommandedPose], &[usize], usize),
@@ -289,7 +295,7 @@ impl Experiment {
 }
 
 impl Experiment {
-    /// Commands of chosen poses, with the tensions of their levels where there are several.
+    /// Commands of chosen poses, with the tensions of their levels if there are several.
     fn commands_at_levels(
         &self,
         (poses, chosen): (&[CommandedPose], &[usize]),
@@ -310,21 +316,21 @@ impl Experiment {
     }
 }
 
-/// The poses that count for accuracy.
+/// The poses that count for accuracy, without tension tests.
 fn without_tests(commands: &[CommandedPose]) -> Vec<CommandedPose> {
     commands.iter().filter(|command| command.shortened.is_none()).cloned().collect()
 }
 
-/// A controller on the machine over the poses of a study.
+/// State of a controller on the machine over the poses of a study.
 struct Standing {
-    /// Poses at which the machine rests within its tension limits.
+    /// True for each pose at which the machine comes to rest within its tension limits.
     measurable: Vec<bool>,
-    /// Share of the poses that keep all requirements.
+    /// Fraction of the poses that keep all requirements.
     reach_share: f64,
     accuracy: Accuracy,
 }
 
-/// Errors on parts that are held out in turn; `None` where the rest is too little to fit to.
+/// Errors on parts that are held out in turn; `None` if the remaining samples are too few for a fit.
 fn held_out(model: &Model, samples: &Samples, wishes: &Wishes, seed: u64) -> Option<ErrorBlocks> {
     let mut errors = Evaluation::default();
     for fold in Split::KFold(PARTS).folds(samples, seed).ok()? {
@@ -334,7 +340,7 @@ fn held_out(model: &Model, samples: &Samples, wishes: &Wishes, seed: u64) -> Opt
     Some(errors.blocks())
 }
 
-/// Root mean square of the position's band over the poses (m).
+/// Root mean square of the position's deviation over the poses (m); `None` if a parameter is not determined.
 fn deviation(fit: &Fit, poses: &[CommandedPose]) -> Option<f64> {
     if fit.without_deviation() > 0 {
         return None;

@@ -1,7 +1,7 @@
 //! The chain of chapter 6: from the nominal controller to force control, every stage on one machine.
 //!
-//! Nominal → identified → driven → identified again (the four steps of sec. 6.2) → constant orientation (6.3) → elastostatic prediction and
-//! identification (6.4, 6.5) → force control on the edges of a larger region.
+//! Nominal → identified → driven → identified again (the four steps of sec. 6.2) → constant orientation (6.3) →
+//! elastostatic prediction and identification (6.4, 6.5) → force control on the edges of a larger region.
 
 #[cfg(test)]
 pub(super) mod tests;
@@ -23,16 +23,16 @@ use cdpr_model::measurement::{Samples, Split};
 use cdpr_model::model::{FreeParameters, Model, ModelError, ParameterError};
 use cdpr_model::robot::{Cable, ParameterKind};
 
-/// Standard deviation that drawings promise of platform anchors, the ridge of sec. 6.5 (m).
+/// Standard deviation of platform anchors according to drawings, the ridge of sec. 6.5 (m).
 const PLATFORM_ANCHORS: f64 = 0.02;
 
-/// Parts of a record that are held out in turn.
+/// Number of parts of a record, each held out once.
 const PARTS: usize = 5;
 
-/// Poses along every edge of the larger region, its corners included.
+/// Number of poses along every edge of the larger region, its corners included.
 const ON_EDGE: usize = 11;
 
-/// Mistake that breaks the chain.
+/// Error that ends the chain.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error(transparent)]
 pub enum ChainError {
@@ -51,9 +51,9 @@ pub enum ChainError {
 /// One stage with its errors.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct ChainStep {
-    /// Name.
+    /// Name of the stage.
     pub name: &'static str,
-    /// The stage in words.
+    /// Description of the stage.
     pub words: &'static str,
     /// Section of the dissertation.
     pub section: &'static str,
@@ -63,7 +63,7 @@ pub struct ChainStep {
     pub position_mean_m: f64,
     /// Mean rotation error (rad).
     pub rotation_mean_rad: f64,
-    /// Whether the platform of the model turns.
+    /// True if the platform of the model turns.
     #[serde(skip)]
     pub turns: bool,
     /// Mean magnitude of the length errors (m).
@@ -76,20 +76,20 @@ pub struct ChainStep {
     pub tension_range: Option<[f64; 2]>,
     /// Poses at which a cable is slack.
     pub slack_samples: Option<usize>,
-    /// Parameters that were identified, with the rank of the Jacobian and its condition, columns of length one.
+    /// Size of the identification; `None` for a stage without one.
     pub identified: Option<Identified>,
 }
 
-/// Size of an identification.
+/// Size and condition of an identification.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Identified {
-    /// Free parameters.
+    /// Count of free parameters.
     pub parameter_count: usize,
-    /// Directions that the data determine.
+    /// Number of directions that the data determine: the rank of the Jacobian.
     pub rank: usize,
-    /// Condition number.
+    /// Condition number of the Jacobian.
     pub condition: f64,
-    /// Condition number with columns of length one.
+    /// Condition number of the Jacobian with columns of length one.
     pub condition_scaled: f64,
     /// Steps of the fit.
     pub iterations: u32,
@@ -100,21 +100,23 @@ pub struct Identified {
 pub struct Chain {
     /// Stages in their order.
     pub steps: Vec<ChainStep>,
-    /// Changes of the frame anchors by the first identification, of every component its magnitude (m): smallest and largest.
+    /// Smallest and largest change of a frame anchor's component by the first identification, as magnitudes (m).
     pub first_change_m: [f64; 2],
     /// The same between the first and the second identification (eq. 6.10).
     pub second_change_m: [f64; 2],
     /// Stages that were left out, with the reason.
     pub left_out: Vec<String>,
-    /// The calibrated models: kinematic by the first record, elastostatic where the study names one.
+    /// The calibrated models: the kinematic one from the first record, and the elastostatic one if the study names one.
     pub calibrated: Vec<Model>,
 }
 
 impl Experiment {
-    /// Runs the chain on this experiment: its control model is the nominal one, its `[prediction]` the nominal elastostatic one.
+    /// Runs the chain on this experiment: its control model is the nominal one, its `[prediction]` the nominal
+    /// elastostatic one.
     ///
-    /// `commands` are those of the study with its tension tests, for the first and the second record; `region` has the corners of the larger box in
-    /// the directions of the motion pattern (m), `seeds` are those of the sensors' noise in both records.
+    /// `commands` are those of the study with its tension tests, for the first and the second record; `region` has the
+    /// corners of the larger box in the directions of the motion pattern (m); `seeds` are the seeds of the sensors'
+    /// noise in both records.
     pub fn chain(
         &self,
         [commands, second_commands]: [&[CommandedPose]; 2],
@@ -163,14 +165,14 @@ impl Experiment {
     }
 }
 
-/// Angle below which orientations are the same (rad).
+/// Angle below which orientations count as equal (rad).
 const SAME: f64 = 1e-9;
 
-/// Name, words and section of a stage.
+/// Name, description and section of a stage.
 type Title = [&'static str; 3];
 
 impl Chain {
-    /// Errors with which a model tells the poses of a record from its lengths.
+    /// Adds a stage: errors with which a model predicts the poses of a record from its lengths.
     fn predicted(
         &mut self,
         title: Title,
@@ -184,7 +186,7 @@ impl Chain {
         Ok(())
     }
 
-    /// Errors with which a controller drives the machine.
+    /// Adds a stage: errors with which a controller drives the machine.
     fn driven(
         &mut self,
         [name, words, section]: Title,
@@ -210,7 +212,8 @@ impl Chain {
         Ok(())
     }
 
-    /// Sec. 6.3: poses of one orientation tell frame and platform anchors only together; the robot without platform anchors has what is left.
+    /// Sec. 6.3: poses of one orientation determine frame and platform anchors only together; the robot without
+    /// platform anchors has the determined remainder.
     fn constant_orientation(
         &mut self,
         experiment: &Experiment,
@@ -304,7 +307,7 @@ fn step([name, words, section]: Title, blocks: &ErrorBlocks, fit: Option<&Fit>) 
     }
 }
 
-/// Least squares, as the dissertation has them.
+/// Least-squares identification, as in the dissertation.
 fn identified(model: &Model, free: &str, record: &Samples, priors: Vec<Prior>) -> Result<Fit, ChainError> {
     let free: FreeParameters = free.parse()?;
     let settings = fit::Settings { loss: Loss::Squared, priors, ..fit::Settings::default() };
@@ -318,16 +321,16 @@ fn range(record: &Samples) -> Option<[f64; 2]> {
     Some([low, tensions.iter().copied().fold(f64::NEG_INFINITY, f64::max)])
 }
 
-/// Magnitudes of the changes of all anchor components: smallest and largest (m).
+/// Smallest and largest magnitude of the changes of all anchor components (m).
 fn changes(before: &Model, after: &Model) -> [f64; 2] {
     let cables = before.robot().cables.iter().zip(&after.robot().cables);
     let along = |(before, after): (&Cable, &Cable)| <[f64; 3]>::from((after.frame_anchor - before.frame_anchor).abs());
-    // components that the motion pattern leaves alone do not change at all
+    // components outside the motion pattern do not change at all
     let all: Vec<f64> = cables.flat_map(along).filter(|change| *change > 0.0).collect();
     [all.iter().copied().fold(f64::INFINITY, f64::min), all.iter().copied().fold(0.0, f64::max)]
 }
 
-/// Poses along the edges of a box, in the orientation of a start; corners count for every edge that they end.
+/// Poses along the edges of a box, in the orientation of the start; corners count once for each of their edges.
 fn edges(model: &Model, start: &Pose, region: &[[f64; 2]]) -> Vec<CommandedPose> {
     let axes = model.axes();
     let count = axes.len().min(region.len());

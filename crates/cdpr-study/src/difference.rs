@@ -1,4 +1,4 @@
-//! Errors of a controller beside those of another at the same poses of one machine (Figs. 4.1, 4.7).
+//! Comparison of a controller's errors with those of another at the same poses of one machine (Figs. 4.1, 4.7).
 
 use serde::Serialize;
 
@@ -12,7 +12,8 @@ use cdpr_model::control::error_statistics::{mean, norm};
 /// Differences below this are rounding (m, rad).
 const ROUNDING: f64 = 1e-9;
 
-/// Errors of one controller minus those of another, over the poses at which both bring the platform to rest; negative is better.
+/// Errors of one controller minus those of another, over the poses at which both bring the platform to rest; negative
+/// is better.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 #[expect(non_snake_case, reason = "the fields are the keys of the answer, units included")]
 pub struct Difference {
@@ -20,21 +21,21 @@ pub struct Difference {
     pub samples: usize,
     /// Number of them at which both have an answer.
     pub compared: usize,
-    /// Poses at which the position error is smaller than with the other.
+    /// Number of poses at which the position error is smaller than with the other.
     pub better: usize,
-    /// Poses at which it is larger.
+    /// Number of poses at which it is larger.
     pub worse: usize,
     /// Distance between commanded and emerging position (m).
     pub position_error_m: ErrorChange,
     /// Angle between commanded and emerging orientation (rad).
     pub rotation_error_rad: ErrorChange,
-    /// 2-norm over cables of emerging less commanded tensions (N); `None` unless both controllers command tensions and the
-    /// machine knows its own.
+    /// 2-norm over cables of emerging minus commanded tensions (N); `None` unless both controllers command tensions and
+    /// the machine has its own.
     pub tension_error_N: Option<ErrorChange>,
-    /// Change of the position error pose by pose (m); `None` where one has no answer.
+    /// Change of the position error, pose by pose (m); `None` if one has no answer.
     #[serde(skip)]
     pub position_change: Vec<Option<f64>>,
-    /// Change of the rotation error pose by pose (rad).
+    /// Change of the rotation error, pose by pose (rad).
     #[serde(skip)]
     pub rotation_change: Vec<Option<f64>>,
 }
@@ -48,16 +49,16 @@ pub struct ErrorChange {
     pub other: PoseErrorStatistics,
     /// Mean of own minus other.
     pub mean_change: f64,
-    /// Own mean through that of the other, minus 1; `None` where the other makes no error.
+    /// Own mean divided by that of the other, minus 1; `None` if the other makes no error.
     pub relative_change: Option<f64>,
-    /// Largest reduction at one pose; 0 where there is none.
+    /// Largest reduction at one pose; 0 if there is none.
     pub largest_gain: f64,
-    /// Largest growth at one pose; 0 where there is none.
+    /// Largest increase at one pose; 0 if there is none.
     pub largest_loss: f64,
 }
 
 impl Assessment {
-    /// Errors of this controller minus those of another that was commanded the same poses.
+    /// Errors of this controller minus those of another that commanded the same poses.
     pub fn difference(&self, poses: &[CommandedPose], other: &Self) -> Difference {
         let both = || poses.iter().zip(self.outcomes.iter().zip(&other.outcomes));
         let errors = |read: fn(&CommandedPose, &Outcome) -> Option<f64>| -> Vec<Option<[f64; 2]>> {

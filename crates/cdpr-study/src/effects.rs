@@ -1,9 +1,10 @@
-//! Contribution of each effect at a pose: the machine has all effects that its file supports, the control model lacks one.
+//! Contribution of each effect at a pose: the machine has all effects that its file supports, the control model leaves
+//! one out.
 //!
-//! The control model computes the controlled lengths for the pose and its tensions; the machine answers with another pose and
-//! other tensions. The difference of the lengths δq_θ is what the effect amounts to in the cable. Winch offsets that are set
-//! at the home pose take up the difference there, so that in operation only the rest matters: how much the difference
-//! changes between the home pose and this one.
+//! The control model computes the controlled lengths for the pose and its tensions; the machine answers with another
+//! pose and other tensions. The difference of the lengths δq_θ is the contribution of the effect to the cable. Winch
+//! offsets set at the home pose compensate the difference there, so that in operation only its change from the home
+//! pose to this one counts.
 
 mod displacement;
 mod error;
@@ -16,12 +17,12 @@ use cdpr_model::statics::{Load, LoadError, controlled_lengths};
 pub use displacement::{Displacement, DisplacementMethod, EffectState, displacement, largest};
 pub use error::EffectError;
 
-/// Contribution of one effect. A quantity that cannot be told comes with the reason.
+/// Contribution of one effect. A quantity that cannot be computed has a reason instead.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Contribution {
     /// The effect.
     pub effect: &'static str,
-    /// The effect that the control model has in its place; `None` where it is just left out.
+    /// The effect that the control model has in its place; `None` if it is left out.
     pub replaced_by: Option<&'static str>,
     /// The effects of the control model.
     pub control: Composition,
@@ -31,14 +32,14 @@ pub struct Contribution {
     pub distribution: Result<f64, EffectError>,
     /// Displacement of the machine's platform under the control model's lengths.
     pub platform: Result<Displacement, EffectError>,
-    /// The lengths minus those at the home pose: what winch offsets set there do not take up (m).
+    /// The lengths minus those at the home pose: the part that winch offsets set there do not compensate (m).
     pub lengths_beyond_home: Result<Vec<f64>, EffectError>,
-    /// Displacement of the platform under these.
+    /// Displacement of the platform under these lengths.
     pub platform_beyond_home: Result<Displacement, EffectError>,
 }
 
-/// Contributions of the effects of a machine with the richest composition that its robot supports, each on its own, and of
-/// alternatives.
+/// Contributions of the effects of a machine with the richest composition that its robot supports: of each on its own,
+/// and of alternatives.
 pub fn contributions(
     machine: &Model,
     supported: &Supported,
@@ -74,7 +75,7 @@ fn home(machine: &Model, state: &EffectState) -> Result<EffectState, EffectError
     Ok(EffectState { pose, load: state.load.clone(), tensions })
 }
 
-/// The tensions nearest to the middle of the limits.
+/// The tensions nearest to the middle of the limits that balance the load (N).
 fn distribution(model: &Model, pose: &Pose, load: &Result<Load, LoadError>) -> Result<Vec<f64>, EffectError> {
     let load = load.as_ref().map_err(Clone::clone)?;
     let found = model.distribute(pose, load)?;
@@ -118,7 +119,8 @@ impl Comparison<'_> {
         }
     }
 
-    /// Controlled lengths of the control model minus those of the machine, for the same tensions where robots measure them.
+    /// Controlled lengths of the control model minus those of the machine (m), for the same tensions at the end where
+    /// robots measure them.
     fn lengths(&self, state: &EffectState) -> Result<Vec<f64>, EffectError> {
         let of = |model: &Model| match &state.tensions {
             Some(tensions) => Ok(controlled_lengths(model, &state.pose, tensions)?),
@@ -133,8 +135,8 @@ impl Comparison<'_> {
         Ok(control.iter().zip(of(self.machine)?).map(|(control, machine)| control - machine).collect())
     }
 
-    /// The length that the machine pays out when the control model asks for this one (m): winches are told motor angles, and
-    /// without the effect `drum` the control model takes them for ideal ones.
+    /// The length that the machine pays out for a length of the control model (m): winches follow motor angles, which
+    /// the control model without the effect `drum` computes for ideal winches.
     fn paid_out(&self, cable: usize, length: f64) -> Result<f64, WinchError> {
         match self.machine.composition().drum && !self.control.composition().drum {
             true => self.machine.controlled_length_of_motor_angle(cable, self.control.motor_angle(cable, length)?),
@@ -148,8 +150,8 @@ impl Comparison<'_> {
     }
 }
 
-/// Numbers of all cables together that an effect needs, by identification or from a test bench: those of the laws that the robot's
-/// file states.
+/// Count of the numbers that an effect needs for all cables, from identification or a test bench: those of the laws in
+/// the robot's file.
 pub fn parameter_count(effect: &str, robot: &Robot) -> usize {
     let of_cable = |cable: &Cable| match effect {
         "pulley" => 1,

@@ -1,4 +1,4 @@
-//! Codes of what studies refuse.
+//! Codes of the errors of studies.
 
 use cdpr_model::reading::{ErrorCode, ReadError};
 
@@ -9,7 +9,7 @@ use crate::effects::EffectError;
 use crate::sweep::{KeyError, KeyReason, PointError, ValuesError, ValuesReason};
 use crate::{ExperimentError, PredictionError, advice};
 
-/// Code of outcomes that no other input than another pose, load or robot mends.
+/// Code of outcomes that only another pose, load or robot can change.
 const NO_ANSWER: &str = "numerical::no-answer";
 
 impl ErrorCode for ExperimentError {

@@ -1,4 +1,4 @@
-//! A study with its models and its winches set: the one place that says how a study is run.
+//! A study with its models and its winches set: the one place that defines how a study is run.
 
 mod models;
 mod questions;
@@ -18,7 +18,7 @@ use cdpr_model::tension::Method;
 
 pub use models::{ExperimentError, Robots};
 
-/// A study with its models, and what follows from them before the first pose is commanded.
+/// A study with its models, its initial pose and its winch offsets, ready to command poses.
 ///
 /// ```
 /// use cdpr::study::{Experiment, Robots, Study};
@@ -44,18 +44,18 @@ pub struct Experiment {
     pub compensation: Option<Compensation>,
     /// The model that answers.
     pub machine: Model,
-    /// The model that is asked what emerges from what was sent, where the study and its robots name one.
+    /// The model that predicts pose and tensions from the lengths sent; `None` if the study or its robots name none.
     pub prediction: Option<Model>,
-    /// The model in use when the winches were set, where it is not the control model.
+    /// The model in use when the winches were set; `None` if it was the control model.
     pub former: Option<Model>,
     /// The pose at which the winches were set.
     pub start: Pose,
-    /// Winch offsets added to the commanded lengths, one a cable (m).
+    /// Winch offsets added to the commanded lengths, one per cable (m).
     pub offsets: Vec<f64>,
 }
 
 impl Experiment {
-    /// Gives every robot of a study the effects of its side, and sets the winches of the machine as the study says.
+    /// Builds the models of a study from its robots, and sets the winches of the machine as the study states.
     pub fn new(study: Study, robots: Robots) -> Result<Self, ExperimentError> {
         let model = |side: &RobotModel, robot: Robot| {
             let refused = |error| ExperimentError { robot: Some(side.robot.clone()), error };
@@ -71,20 +71,21 @@ impl Experiment {
         Ok(Self { study, control, compensation: None, machine, prediction, former, start, offsets })
     }
 
-    /// The same machine with another controller; the winches stay as they were set. Maps belong to the controller before, and are left behind.
+    /// The same machine with another controller; the winches are unchanged. The map is dropped, since it belongs to the
+    /// controller before.
     #[must_use]
     pub fn with_control(&self, control: Model) -> Self {
         let former = Some(self.former.clone().unwrap_or_else(|| self.control.clone()));
         Self { control, former, ..self.without_compensation() }
     }
 
-    /// The same with the map that the study names; refuses one of another robot or model.
+    /// The experiment with the map that the study names; an error if the map belongs to another robot or model.
     pub fn with_compensation(self, map: Compensation) -> Result<Self, MapError> {
         map.check(&self.control)?;
         Ok(Self { compensation: Some(map), ..self })
     }
 
-    /// The same with the control model alone, whatever map the study names.
+    /// The experiment with the control model alone, even if the study names a map.
     #[must_use]
     pub fn without_compensation(&self) -> Self {
         let mut alone = Self { compensation: None, ..self.clone() };
@@ -92,14 +93,14 @@ impl Experiment {
         alone
     }
 
-    /// The same with another way to choose tensions, where one is given.
+    /// The experiment with another method to choose tensions; unchanged if `method` is `None`.
     #[must_use]
     pub fn with_tension_method(mut self, method: Option<Method>) -> Self {
         self.study.control.tension_method = method.or(self.study.control.tension_method);
         self
     }
 
-    /// The control model with its way to choose tensions and its map; refuses a study whose map is not given.
+    /// The control model with its tension method and its map; an error if the study names a map that is not given.
     pub(crate) fn controller(&self) -> Result<Control, InputError> {
         let stated = &self.study.control;
         match (&stated.compensation, &self.compensation) {
@@ -112,7 +113,7 @@ impl Experiment {
         }
     }
 
-    /// Refuses a map for a question that calibrates the controller.
+    /// Error for a question that calibrates the controller while it has a map.
     pub(crate) fn refuse_map(&self, question: &'static str) -> Result<(), InputError> {
         let reason = "it calibrates other control models, and a map belongs to one";
         self.controller()?.without_map(question, reason).map(drop)
@@ -123,7 +124,7 @@ impl Experiment {
         self.former.as_ref().unwrap_or(&self.control)
     }
 
-    /// How the machine comes to the poses, where its cables remember.
+    /// Path on which the machine comes to the poses, if its cables have a memory; else `None`.
     pub fn history(&self) -> Option<History> {
         History::of(&self.machine, self.study.history)
     }

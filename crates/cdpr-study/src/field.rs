@@ -28,20 +28,20 @@ pub struct Sample {
     pub outcome: Outcome,
     /// Displacement from the commanded to the emerging pose (m, rad; world axes); `None` if no answer was found.
     pub exact: Option<Twist>,
-    /// The same by one linear step from the commanded pose; `None` if the machine cannot be held there or meets no
-    /// resistance.
+    /// The same by one linear step from the commanded pose; `None` if the machine cannot be held there or the stiffness
+    /// is singular.
     pub linear: Option<Twist>,
-    /// Residual wrench Aᵀ f + w of the cables held at the commanded pose (world; N, N·m), which moves the platform (eq. 3.23); `None` for
-    /// a rigid machine, and where nothing is sent.
+    /// Residual wrench Aᵀ f + w of the cables held at the commanded pose (world; N, N·m), which moves the platform (eq.
+    /// 3.23); `None` for a rigid machine, and if no lengths are sent.
     pub residual_wrench: Option<Wrench>,
 }
 
-/// Samples with what they say together.
+/// Samples with their statistics.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Field {
-    /// Pose by pose.
+    /// Samples, pose by pose.
     pub samples: Vec<Sample>,
-    /// The statistics.
+    /// Statistics of the samples.
     pub summary: Summary,
 }
 
@@ -56,31 +56,31 @@ pub struct Summary {
     pub position_error_m: PoseErrorStatistics,
     /// Angle between commanded and emerging orientation (rad), exact.
     pub rotation_error_rad: PoseErrorStatistics,
-    /// Emerging less commanded tensions (N); `None` where control model or machine knows none.
+    /// Emerging minus commanded tensions (N); `None` if control model or machine has no tensions.
     #[serde(rename = "tension_error_N")]
     pub tension_error: Option<TensionErrorStatistics>,
-    /// Residual force of the cables held at the commanded poses, moments left aside (N); `None` for a rigid machine.
+    /// Residual force of the cables held at the commanded poses, without moments (N); `None` for a rigid machine.
     #[serde(rename = "residual_force_N")]
     pub residual_force: Option<PoseErrorStatistics>,
-    /// Mean position error as a share of the diameter of the sampled positions (eq. 3.5); `None` for one position.
+    /// Mean position error as a fraction of the diameter of the sampled positions (eq. 3.5); `None` for one position.
     pub relative_position_error: Option<f64>,
     /// Diameter of the sampled positions: the diagonal of their box (m).
     pub diameter_m: f64,
     /// Distance between commanded and emerging position by the linear step (m).
     pub linear_position_error_m: PoseErrorStatistics,
-    /// Distance between the positions that the linear step and the exact solution find (m): how far the step can be trusted.
+    /// Distance between the positions of the linear step and of the exact solution (m): the error of the step.
     pub linear_residual_m: PoseErrorStatistics,
-    /// Share of the poses at which that distance is at most a tenth of the exact error.
+    /// Fraction of the poses at which that distance is at most a tenth of the exact error.
     pub linear_trusted_share: f64,
     /// Effect of the map that corrects the control model; `None` without one.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub compensation: Option<Box<MapEffect<Summary>>>,
 }
 
-/// A linear error counts as trusted where it misses the exact one by at most this share of it.
+/// Largest error of the linear step, as a fraction of the exact pose error, at which it counts as trusted.
 const TRUSTED: f64 = 0.1;
 
-/// Commands poses and tells how far from them the platform comes to rest, exactly and by one linear step.
+/// Commands poses and computes the displacement at which the platform comes to rest, exactly and by one linear step.
 pub fn field(driving: &Driving, poses: &[Pose]) -> Field {
     let samples = driving.each_share(poses, |poses| {
         let mut operation = driving.operation();
@@ -103,7 +103,7 @@ fn sample(operation: &mut Operation, commanded: &Pose) -> Sample {
 }
 
 impl Field {
-    /// Remark on odd samples: they lie outside the machine's reach.
+    /// Remark for the user if the tensions break their limits at every pose; else `None`.
     pub fn remark(&self, machine: &Model) -> Option<String> {
         let limits = Limits::of(machine.robot(), None, None).ok()?;
         let settled = || self.samples.iter().filter(|sample| sample.exact.is_some());

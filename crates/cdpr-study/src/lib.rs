@@ -1,4 +1,4 @@
-//! A control model on a machine: what emerges when one model's lengths drive another.
+//! A control model on a machine: the poses and tensions that emerge if one model's lengths drive another.
 
 pub mod accuracy;
 pub mod advice;

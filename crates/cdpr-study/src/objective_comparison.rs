@@ -1,4 +1,4 @@
-//! Every objective's optimum, judged by all others.
+//! The optimum of every objective, judged by all others.
 
 use serde::Serialize;
 
@@ -10,49 +10,49 @@ use cdpr_model::measurement::Samples;
 use cdpr_model::model::{FreeParameters, Model};
 use cdpr_model::reading::Keyword;
 
-/// An optimum, or the model as given, with everything it is judged by.
+/// An optimum, or the model as given, with all measures by which it is judged.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct JudgedOptimum {
     /// Objective and cost of the optimum; `None` for the model as given.
     #[serde(flatten)]
     pub of: Option<OptimumOf>,
-    /// True where the search ended at an optimum.
+    /// True if the search ended at an optimum.
     pub converged: bool,
     /// Costs of all objectives.
     #[serde(flatten)]
     pub values: ObjectiveValues,
-    /// Predicted poses from the recorded lengths, and modelled lengths at the measured poses.
+    /// Errors of predicted poses from the recorded lengths, and of modelled lengths at the measured poses.
     pub predicted: ErrorBlocks,
-    /// The controller with these parameters on a machine.
+    /// Accuracy of the controller with these parameters on a machine; `None` if there is none.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub driven: Option<Accuracy>,
-    /// Reason in words why it does not drive there.
+    /// Reason in words for which it does not drive the machine.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub not_driven: Option<String>,
 }
 
-/// Outcome of putting a calibrated model on a machine.
+/// Outcome of driving a machine with a calibrated model.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Driven {
     /// There is no machine.
     Nowhere,
-    /// Errors there.
+    /// Errors on the machine.
     To(Box<Accuracy>),
-    /// Reason why it does not drive.
+    /// Reason for which it does not drive.
     Refused(String),
 }
 
-/// Objective and cost of an optimum.
+/// Objective and cost function of an optimum.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct OptimumOf {
-    /// Residuals.
+    /// Residuals that are minimized.
     pub objective: Objective,
-    /// Cost of all samples.
+    /// Cost function over all samples.
     pub minimize: Minimize,
 }
 
-/// The model as given and the optimum of every objective under every cost, each judged by all of them, and by `drive`, which puts a calibrated
-/// model on a machine where there is one.
+/// The model as given and the optimum of every objective under every cost, each judged by all objectives, and by
+/// `drive`, which drives a machine with a calibrated model if there is one.
 pub fn compare_objectives(
     model: &Model,
     samples: &Samples,

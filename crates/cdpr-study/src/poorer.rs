@@ -1,12 +1,13 @@
-//! Machines poorer than their control model: what such a study shows is not what a control model leaves out.
+//! Machines poorer than their control model: a study of one does not show the errors of effects that a control model
+//! leaves out.
 
 use cdpr_model::model::{Composition, SpanEffect};
 use cdpr_model::robot::Law;
 
 /// Effects of a control model that the machine lacks or has in a simpler form, in their order along the cable.
 ///
-/// A law of stretch is richer than those that stand before it in the list of all; catenaries and finite elements are two
-/// ways to compute the same.
+/// A law of stretch is richer than those before it in the list of all; catenaries and finite elements are two ways to
+/// compute the same effect.
 pub fn missing_effects(control: Composition, machine: Composition) -> Vec<&'static str> {
     let is_missing = |effect: &&str| match *effect {
         "pulley" => !machine.pulley,
@@ -17,7 +18,7 @@ pub fn missing_effects(control: Composition, machine: Composition) -> Vec<&'stat
     control.effects().filter(is_missing).collect()
 }
 
-/// Remark on a machine that is poorer than its control model; nothing on one that is not.
+/// Remark on a machine that is poorer than its control model; `None` for others.
 pub(crate) fn remark_on_poorer(control: Composition, machine: Composition) -> Option<String> {
     let missing = missing_effects(control, machine);
     let effects: Vec<String> = missing.iter().map(|effect| format!("`{effect}`")).collect();

@@ -1,8 +1,9 @@
 //! The reachable workspace (eq. 3.33): poses that a control model can command on a machine without breaking limits.
 //!
-//! The *model* workspace (eq. 3.31) is where the control model itself is wrench-feasible, the *physical* one (eq. 3.32) where
-//! the machine is; both are [`cdpr_workspace::criterion::WrenchFeasible`]. What is reachable depends on both models and on
-//! how the winches were set: [`Reachable`] is a [`Criterion`], so that every method of [`cdpr_workspace`] finds it.
+//! The *model* workspace (eq. 3.31) is where the control model itself is wrench-feasible, the *physical* one (eq. 3.32)
+//! where the machine is; both are [`cdpr_workspace::criterion::WrenchFeasible`]. The reachable workspace depends on
+//! both models and on the winch offsets: [`Reachable`] is a [`Criterion`], so that every method of [`cdpr_workspace`]
+//! can measure it.
 
 mod census;
 mod differential;
@@ -28,10 +29,10 @@ use cdpr_model::tension::Limits;
 use cdpr_workspace::criterion::Criterion;
 use cdpr_workspace::{Point, Region, Verdict};
 
-/// Requirements that a commanded pose keeps to count as reached.
+/// Requirements that a commanded pose must keep to count as reached.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Requirements {
-    /// Limits of the tensions that emerge (N); a rigid machine has none to judge.
+    /// Limits of the emerging tensions (N); a rigid machine has no tensions to judge.
     pub tensions: Option<Limits>,
     /// Largest distance between commanded and emerging position, Δx_max (m).
     pub position_error_max: Option<f64>,
@@ -41,10 +42,10 @@ pub struct Requirements {
     pub tension_error_max: Option<f64>,
 }
 
-/// Poses at which the machine comes to rest as the requirements ask, when the control model commands them.
+/// Poses at which the machine comes to rest within the requirements if the control model commands them.
 ///
-/// The machine is where it is led from the commanded pose: equilibria elsewhere, which a search from other starts might find,
-/// do not count. The margin has no unit: the least of (f − f_min)/(f_max − f_min) and (f_max − f)/(f_max − f_min) over cables and of
+/// The forward problem starts from the commanded pose: equilibria that only other starts would find do not count. The
+/// margin is dimensionless: the least of (f − f_min)/(f_max − f_min) and (f_max − f)/(f_max − f_min) over cables and of
 /// 1 − error/largest error of position, rotation and tensions.
 pub struct Reachable {
     driving: Driving,
@@ -52,7 +53,8 @@ pub struct Reachable {
 }
 
 impl Reachable {
-    /// Refuses requirements that ask for nothing, as limits of tensions do of a rigid machine.
+    /// Reachable workspace of a driven machine; an error if no requirement applies, such as tension limits for a rigid
+    /// machine.
     pub fn new(driving: Driving, requirements: Requirements) -> Result<Self, InputError> {
         let machine = driving.machine();
         let Requirements { tensions, position_error_max, rotation_error_max, tension_error_max } = &requirements;
@@ -76,8 +78,8 @@ impl Reachable {
         &self.driving
     }
 
-    /// Effect of the map that corrects the control model: positions beyond its samples among these, and a size of what is reached without it; nothing
-    /// where there is no map.
+    /// Effect of the map that corrects the control model: the points outside its samples, and the size of the workspace
+    /// without it; `None` if there is no map.
     pub fn map_effect<T>(
         &self,
         region: &Region<'_>,
@@ -97,7 +99,7 @@ impl Reachable {
         &self.requirements
     }
 
-    /// The verdict over what emerged.
+    /// The verdict on an outcome.
     pub fn verdict(&self, commanded: &Pose, outcome: &Outcome) -> Verdict {
         if outcome.status != Status::Converged {
             let reason = outcome.reason.as_deref().unwrap_or("nothing emerges");
@@ -131,7 +133,7 @@ impl Reachable {
         ]
     }
 
-    /// Why a requirement is not kept.
+    /// Text for the requirement that is broken.
     fn words(&self, decisive: &Decisive, errors: &Errors, outcome: &Outcome) -> String {
         let Requirements { tensions, position_error_max, rotation_error_max, tension_error_max } = &self.requirements;
         match decisive.kind {
@@ -178,7 +180,7 @@ struct Forces<'t> {
     commanded: Option<&'t [f64]>,
 }
 
-/// How far the platform is from where it was told to be (m, rad), and the largest difference of a tension from the one commanded (N) with
+/// Errors of position and orientation (m, rad), and the largest difference of a tension from the commanded one (N) with
 /// its cable.
 struct Errors {
     position: f64,
@@ -219,10 +221,10 @@ enum Kind {
     Tracking,
 }
 
-/// Distance of the tensions from their limits as a share of the range, and the cable that is nearest.
+/// Distance of the tensions from their limits as a fraction of the range, and the nearest cable.
 ///
-/// A range of nothing counts as one of 1 N. A limit missed by rounding is kept: a force controller sends many poses with tensions that
-/// stand at their limits.
+/// An empty range counts as one of 1 N. A limit missed by rounding is kept: a force controller commands many poses with
+/// tensions at their limits.
 fn tension_margin(limits: &Limits, tensions: &[f64]) -> (f64, usize) {
     let mut least = (f64::INFINITY, 0);
     for (cable, &tension) in tensions.iter().enumerate() {
@@ -237,7 +239,8 @@ fn tension_margin(limits: &Limits, tensions: &[f64]) -> (f64, usize) {
     if is_rounding { (0.0, least.1) } else { least }
 }
 
-/// Tolerance of the forward problem, as a share of a tension's range: far above its rounding, far below any load cell.
+/// Tolerance of the forward problem, as a fraction of a tension's range: far above its rounding, far below any load
+/// cell.
 const ROUNDING: f64 = 1e-8;
 
 impl Criterion for Reachable {
@@ -266,7 +269,7 @@ impl Criterion for Reachable {
 }
 
 impl Reachable {
-    /// [`Reachable::verdict`] without words.
+    /// True if [`Reachable::verdict`] holds, without words.
     fn is_kept(&self, commanded: &Pose, outcome: &Outcome) -> bool {
         outcome.status == Status::Converged && self.keeps(commanded, &outcome.pose, Forces::of(outcome))
     }
@@ -276,14 +279,14 @@ impl Reachable {
         margins.iter().flatten().all(|decisive| decisive.margin >= 0.0)
     }
 
-    /// True where a slack cable breaks a limit, whatever else emerges.
+    /// True if any slack cable breaks a limit.
     fn needs_all_taut(&self) -> bool {
         self.requirements.tensions.as_ref().is_some_and(|limits| limits.minimum().iter().all(|&least| least > 0.0))
     }
 
-    /// Applies `of` to commanded pose, emerging pose and tensions of each of many commands, in batches where the machine has
-    /// them; `None` if the machine has no answer. With `only_taut` those in which a cable hangs slack, which take ten times as
-    /// long, may be left out.
+    /// Applies `of` to commanded pose, emerging pose and tensions of each of many commands, in batches if the machine
+    /// supports them; `None` if the machine has no answer. With `only_taut`, commands in which a cable hangs slack may
+    /// be left out, since they take ten times as long.
     fn of_emerging<T>(
         &self,
         poses: &[Pose],
@@ -316,7 +319,7 @@ impl Reachable {
         found
     }
 
-    /// Positions at which the platform comes to rest, as points of a region; `None` if the machine has no answer.
+    /// Emerging positions, as points of a region; `None` if the machine has no answer.
     pub(crate) fn emerging_positions(&self, region: &Region<'_>, commanded: &[Pose]) -> Vec<Option<Point>> {
         self.of_emerging(commanded, false, |_, emerging, _| region.point(&emerging.position))
     }

@@ -1,4 +1,4 @@
-//! Study files: which control model drives which machine, through which poses, measured with which noise.
+//! Study files: the control model, the machine, the poses and the sensor noise.
 
 mod campaign_table;
 #[cfg(feature = "files")]
@@ -65,7 +65,7 @@ pub struct ControlModel {
 }
 
 impl ControlModel {
-    /// Without the choice of tensions.
+    /// Robot and composition of the control model.
     pub(crate) fn robot_model(&self) -> RobotModel {
         RobotModel { robot: self.robot.clone(), model: self.model.clone() }
     }
@@ -83,12 +83,12 @@ pub struct RobotModel {
 }
 
 impl RobotModel {
-    /// The effects; `None` where the word is none.
+    /// The composition of the effects; `None` if the word is invalid.
     fn composition(&self) -> Option<Composition> {
         self.model.parse().ok()
     }
 
-    /// True where its lengths belong to tensions, see [`Composition::needs_tensions`].
+    /// True if its lengths depend on tensions, see [`Composition::needs_tensions`].
     fn needs_tensions(&self) -> bool {
         self.composition().is_some_and(Composition::needs_tensions)
     }
@@ -198,12 +198,12 @@ pub fn schema() -> schemars::Schema {
 }
 
 impl Study {
-    /// True when a side of the study knows tensions.
+    /// True if a side of the study has tensions.
     fn is_elastic(&self) -> bool {
         [&self.control.robot_model(), &self.machine].iter().any(|side| side.needs_tensions())
     }
 
-    /// Remarks on oddities of the study: a machine poorer than its control model, and keys without effect.
+    /// Remarks for the user: a machine poorer than its control model, and keys without effect.
     pub fn remarks(&self) -> Vec<String> {
         let poorer = self.control.robot_model().composition().zip(self.machine.composition());
         poorer
@@ -214,7 +214,7 @@ impl Study {
             .collect()
     }
 
-    /// A way to choose tensions where none are commanded.
+    /// Remark on a tension method where no tensions are commanded; else `None`.
     fn idle_method(&self) -> Option<String> {
         let commands = self.control.robot_model().needs_tensions();
         let model = &self.control.model;
@@ -246,7 +246,7 @@ impl Study {
         }
     }
 
-    /// Puts the limits of the study in the place of those in a robot's file.
+    /// The robot with the limits of the study instead of those in its file.
     #[must_use]
     pub(crate) fn limited(&self, mut robot: Robot) -> Robot {
         let Some(limits) = &self.limits else { return robot };

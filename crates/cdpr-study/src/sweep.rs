@@ -1,4 +1,4 @@
-//! Sweeps: how the reachable workspace changes with parameters of control model, machine and study (sec. 3.7, 3.8).
+//! Sweeps: the reachable workspace as a function of parameters of control model, machine and study (sec. 3.7, 3.8).
 
 mod calibration_table;
 mod files;
@@ -85,7 +85,7 @@ pub enum Spacing {
     Logarithmic,
 }
 
-/// More points of a sweep are a slip of the finger.
+/// Most points of a sweep; a larger number is taken for a typing error.
 const MOST_POINTS: usize = 100_000;
 
 impl Sweep {
@@ -116,8 +116,8 @@ impl Sweep {
         }
     }
 
-    /// Values of all parameters at every point; those of the last parameter change first. A calibration adds the numbers of sensor and model, from 1, and that of
-    /// poses.
+    /// Values of all parameters at every point; the last parameter changes first. A calibration appends the numbers of
+    /// sensor and model, from 1, and the number of poses.
     pub fn points(&self) -> Vec<Vec<f64>> {
         let mut points = vec![Vec::new()];
         for parameter in &self.parameter {
@@ -133,23 +133,23 @@ impl Sweep {
         }
     }
 
-    /// Values of a point that are those of parameters.
+    /// The values of a point that belong to parameters.
     pub(crate) fn values_of<'v>(&self, point: &'v [f64]) -> &'v [f64] {
         &point[..self.parameter.len().min(point.len())]
     }
 }
 
-/// Values of a parameter that make no sweep.
+/// Error of a parameter's values.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 #[error("{key}: {reason}")]
 pub(crate) struct ValuesError {
     /// Key of the parameter.
     pub key: String,
-    /// Its values' fault.
+    /// Reason for which the values are wrong.
     pub reason: ValuesReason,
 }
 
-/// Fault of a parameter's values.
+/// Reason for which a parameter's values are wrong.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Error)]
 pub(crate) enum ValuesReason {
     /// Neither a list nor a range, or both.

@@ -1,9 +1,10 @@
-//! An honest bound of the error of a size: points drawn at random, at which region and finding are compared.
+//! Statistical bound of the error of a size: the region and a method's result are compared at points drawn at random.
 //!
-//! Methods judge chosen points, so that they see nothing of parts or gaps between them, and no sum over their cells tells how large these
-//! are. A point drawn at random lies in any set with the probability of that set's size, whatever its shape. One is drawn in each of many
-//! cells of equal size; where region and finding differ counts, and bounds for the sums of independent numbers turn the counts
-//! into a bound of the difference in size. It holds for every region, with a stated confidence.
+//! Methods judge chosen points, so they miss parts or gaps between them, and no sum over their cells shows how large
+//! these are. A point drawn at random lies in a set of any shape with the probability of the set's size. One point is
+//! drawn in each of many cells of equal size; the points at which region and result differ are counted, and bounds for
+//! sums of independent numbers turn the counts into a bound of the difference in size. It holds for any region, at a
+//! stated confidence.
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -11,28 +12,28 @@ use serde::Serialize;
 
 use super::{Bounds, Point, Region};
 
-/// Probability with which a size lies within its bound, for every region.
+/// Probability with which a size lies within its bound, for any region.
 pub const CONFIDENCE: f64 = 0.999;
 
-/// So many audits of one region may be looked at until one satisfies; all of them hold together with [`CONFIDENCE`].
+/// Most audits of one region among which one may be chosen; all of them hold together with [`CONFIDENCE`].
 pub(super) const LOOKS: u64 = 8;
 
-/// Points of the region that an audit keeps.
+/// Points of the region kept by an audit.
 const KEPT: usize = 64;
 
 /// Points compared at once.
 const BLOCK: usize = 1 << 15;
 
-/// How often, at points drawn at random, a region differs from what a method found.
+/// Counts of random points at which a region differs from the result of a method.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct Audit {
     /// Points drawn.
     pub points: u64,
-    /// Those that belong to the region.
+    /// Points that belong to the region.
     pub feasible_points: u64,
-    /// Those that belong to the region, but not to what was found.
+    /// Points that belong to the region, but not to the result.
     pub missed: u64,
-    /// Those that belong to what was found, but not to the region.
+    /// Points that belong to the result, but not to the region.
     pub added: u64,
     /// Some of the points that belong to the region (m).
     #[serde(skip)]
@@ -42,11 +43,11 @@ pub struct Audit {
     size: f64,
 }
 
-/// Cells of equal size along each axis, about so many and no more of them in all.
+/// Count of cells of equal size along each axis, about `cells` in all and no more.
 pub(super) fn strata(bounds: &Bounds, cells: u64) -> [usize; 3] {
     let dimension = bounds.dimension();
     let mut counts = [1; 3];
-    // an axis too short for a cell leaves its share to the others
+    // an axis too short for a cell leaves its fraction to the others
     let (mut open, mut left) = ((0..dimension).collect::<Vec<_>>(), cells.max(1) as f64);
     open.sort_by(|a, b| bounds.extent(*a).total_cmp(&bounds.extent(*b)));
     while let Some(&axis) = open.first() {
@@ -60,7 +61,7 @@ pub(super) fn strata(bounds: &Bounds, cells: u64) -> [usize; 3] {
 }
 
 impl Audit {
-    /// Compares the region with a finding at so many points, about; every seed draws others.
+    /// Compares the region with a result at about `points` points; each seed draws other points.
     pub fn of(
         region: &Region<'_>,
         bounds: &Bounds,
@@ -103,42 +104,43 @@ impl Audit {
         self.size / self.points.max(1) as f64
     }
 
-    /// How far the size found can be from that of the region (m², m³), with [`CONFIDENCE`].
+    /// Largest difference between the size found and the size of the region (m², m³), with [`CONFIDENCE`].
     pub fn error_bound(&self) -> f64 {
         let [least, largest] = self.difference();
         least.abs().max(largest.abs())
     }
 
-    /// Width that chance leaves to the difference (m², m³): more points make it smaller, a better finding does not.
+    /// Half the width of the interval of [`Audit::difference`] (m², m³): more points make it smaller, a better result
+    /// does not.
     pub(crate) fn uncertainty(&self) -> f64 {
         let [least, largest] = self.difference();
         0.5 * (largest - least)
     }
 
-    /// Between which numbers the size of the region less the size found lies (m², m³), with [`CONFIDENCE`].
+    /// Interval of the size of the region minus the size found (m², m³), with [`CONFIDENCE`].
     pub(crate) fn difference(&self) -> [f64; 2] {
         let surprise = surprise();
         let [missed, added] = [self.missed, self.added].map(|count| limits(count as f64, surprise));
         let apart = [missed[0] - added[1], missed[1] - added[0]];
-        // Bernstein: steps of at most 1, of a variance of at most how often they are not 0
+        // Bernstein: steps of at most 1, with a variance of at most the frequency at which they are not 0
         let often = limits((self.missed + self.added) as f64, surprise)[1];
         let away = surprise / 3.0 + (surprise * surprise / 9.0 + 2.0 * often * surprise).sqrt();
         let mean = self.missed as f64 - self.added as f64;
         [(mean - away).max(apart[0]), (mean + away).min(apart[1])].map(|count| count * self.fraction())
     }
 
-    /// Least size of the part of the region that was missed (m², m³), with [`CONFIDENCE`].
+    /// Least size of the missed part of the region (m², m³), with [`CONFIDENCE`].
     pub(crate) fn missed_at_least(&self) -> f64 {
         limits(self.missed as f64, surprise())[0] * self.fraction()
     }
 }
 
-/// Negative logarithm of the probability that one of the inequalities may fail with, of which an audit has eight.
+/// Negative logarithm of the probability at which each of the eight inequalities of an audit may fail.
 fn surprise() -> f64 {
     -((1.0 - CONFIDENCE) / (8 * LOOKS) as f64).ln()
 }
 
-/// Between which numbers the expectation of a count of independent events lies: λ − k + k ln(k/λ) ≤ surprise (Chernoff).
+/// Interval of the expectation of a count of independent events: λ − k + k ln(k/λ) ≤ surprise (Chernoff).
 fn limits(count: f64, surprise: f64) -> [f64; 2] {
     let excess = |mean: f64| mean - count + if count > 0.0 { count * (count / mean).ln() } else { 0.0 } - surprise;
     let bisect = |mut inside: f64, mut outside: f64| {
@@ -152,7 +154,7 @@ fn limits(count: f64, surprise: f64) -> [f64; 2] {
     [if count > 0.0 { bisect(count, 0.0) } else { 0.0 }, above]
 }
 
-/// Points of a box, one at random in each of its strata.
+/// Iterator over points of a box, one at random in each stratum.
 struct Drawn<'a> {
     bounds: &'a Bounds,
     counts: [usize; 3],
@@ -190,7 +192,7 @@ impl Iterator for Drawn<'_> {
 mod tests {
     use super::*;
 
-    /// Without an event the mean is below −ln of the probability; with many it is off by √(2 k s) at most.
+    /// Without an event the mean is below −ln of the probability; with many events it is off by √(2 k s) at most.
     #[test]
     fn limits_of_a_count_are_those_of_chernoff() {
         assert!((limits(0.0, 9.0)[1] - 9.0).abs() < 1e-9 && limits(0.0, 9.0)[0] == 0.0);

@@ -1,13 +1,13 @@
-//! The box of positions in which a workspace is looked for.
+//! The box of positions in which a workspace is searched.
 
 use nalgebra::Vector3;
 
 use super::{Point, WorkspaceError};
 use cdpr_model::model::Model;
 
-/// Frames less high than this part of their longest side are flat.
+/// Height of a frame, as a fraction of its longest side, below which it is flat.
 const FLAT: f64 = 0.1;
-/// An axis is vertical where it runs against gravity by this cosine.
+/// Cosine to the direction against gravity above which an axis is vertical.
 const UPRIGHT: f64 = 0.99;
 
 /// Least and largest coordinate of frame anchors, travel and home position along each axis of the robot (m).
@@ -50,12 +50,13 @@ impl Bounds {
         Ok(bounds)
     }
 
-    /// A box for a robot whose set of poses is not known yet: around its frame anchors, the travel that its file states and its home
-    /// position.
+    /// A box for a robot whose set of poses is unknown: around its frame anchors, the travel that its file states and
+    /// its home position.
     ///
-    /// The box reaches a quarter of its longest side further, for the origin of a platform may leave the frame; below a flat frame a
-    /// whole side, and above it no further, for the platform hangs; without gravity to both sides. It ends at the floor, the plane of
-    /// height zero, where nothing of the file lies below that; the plane of a flat frame itself is none, for the platform hangs under it.
+    /// The box extends a quarter of its longest side further, since the origin of a platform may leave the frame. At a
+    /// flat frame it extends a whole side downwards and not upwards, since the platform hangs; without gravity, to both
+    /// sides. It ends at the floor, the plane of height zero, if nothing of the file lies below it; the plane of a flat
+    /// frame itself is no floor, since the platform hangs under it.
     pub fn around(model: &Model) -> Result<Self, WorkspaceError> {
         let gravity = model.robot().gravity.unwrap_or_default();
         let mut ends = frame_of(model);
@@ -100,7 +101,7 @@ impl Bounds {
         (0..self.dimension).flat_map(|axis| [self.least[axis], self.largest[axis]]).collect()
     }
 
-    /// A usual size of cells (m): a hundredth of the longest side in a plane, a fiftieth in space.
+    /// Default size of cells (m): a hundredth of the longest side in a plane, a fiftieth in space.
     pub fn usual_step(&self) -> f64 {
         self.longest() / if self.dimension == 2 { 100.0 } else { 50.0 }
     }
@@ -125,7 +126,7 @@ impl Bounds {
         (0..self.dimension).all(|axis| (self.least[axis]..=self.largest[axis]).contains(&point[axis]))
     }
 
-    /// How far a ray from a point in the box runs until it leaves it (m), for a direction of length 1.
+    /// Distance from a point in the box to its faces along a direction of length 1 (m).
     pub(crate) fn way_out(&self, from: &Point, direction: &Point) -> f64 {
         let mut way = f64::INFINITY;
         for axis in 0..self.dimension {
@@ -176,7 +177,7 @@ mod tests {
             Bounds::around(&Model::new(robot, Composition::STANDARD).unwrap()).unwrap().ends()
         };
         assert_eq!(ends_of(&|robot: &mut Robot| robot.home = None)[4..], [0.0, 5.42]);
-        // far above any floor, or below the origin, the file says nothing of one: the longest side is 14.98 m
+        // high above a floor, or below the origin, the file shows no floor: the longest side is 14.98 m
         let lifted = |by: f64| {
             move |robot: &mut Robot| {
                 robot.cables.iter_mut().for_each(|cable| cable.frame_anchor.z += by);
@@ -188,7 +189,8 @@ mod tests {
         assert!((low[4] - (-94.6126 - 14.9802)).abs() < 1e-9, "{low:?}");
     }
 
-    /// With the origin in the plane of the anchors, the plane of height zero is that of the frame: the platform hangs under it.
+    /// If the origin lies in the plane of the anchors, the plane of height zero is that of the frame: the platform
+    /// hangs under it.
     #[test]
     fn the_box_of_a_robot_whose_flat_frame_lies_at_height_zero_reaches_down() {
         for (heights, top) in [([0.0, 0.0], 0.0), ([0.0, 0.02], 0.02)] {
@@ -201,7 +203,7 @@ mod tests {
         }
     }
 
-    /// A ball in the middle of the frame is looked for in the frame, one that reaches out of it a little further.
+    /// The box of a ball in the middle of the frame is the frame, that of a ball that leaves it is a little larger.
     #[test]
     fn the_box_about_a_region_is_that_of_the_frame_unless_the_region_may_reach_out_of_it() {
         struct Ball(f64);

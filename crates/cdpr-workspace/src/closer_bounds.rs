@@ -1,4 +1,4 @@
-//! The box of a region: as small as its frame, as large as the region.
+//! The box of a region: at least its frame, and wide enough for the region.
 
 use super::bounds::frame_of;
 use super::grid::{Count, Grid};
@@ -9,13 +9,16 @@ use cdpr_model::model::Model;
 /// Cells of a coarse grid along the longest side of a box.
 const COARSE: f64 = 24.0;
 
-/// Share of the poses of a goal that may go into looking for the box.
+/// Fraction of the poses of a goal that may be spent on the box.
 const SHARE: f64 = 0.25;
 
 impl Bounds {
-    /// The box of frame anchors, travel and home position, wider where a region reaches out of it, or so near to its faces that a coarse
-    /// grid of the box [around](Self::around) the robot cannot tell (one and a half of its cells); that box itself where it holds no point of the grid, or where the grid
-    /// has more points than a quarter of what the goal allows.
+    /// The box of frame anchors, travel and home position, widened where a region reaches out of it, or so near to its
+    /// faces that a coarse grid over the box [around](Self::around) the robot cannot decide (one and a half of its
+    /// cells).
+    ///
+    /// Returns the box around the robot if no point of the grid belongs to the region, or if the grid has more points
+    /// than a quarter of those that the goal allows.
     pub fn about(region: &Region<'_>, model: &Model, goal: &Goal) -> Result<Self, WorkspaceError> {
         let around = Self::around(model)?;
         let grid = Grid::new(&around, around.longest() / COARSE)?;

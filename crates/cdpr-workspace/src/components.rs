@@ -1,4 +1,4 @@
-//! Parts of a region that do not touch, on a grid.
+//! Parts of a region on a grid that do not touch.
 
 use super::grid::Grid;
 
@@ -9,13 +9,13 @@ pub struct Component {
     pub cells: u64,
     /// Area (m²) or volume (m³).
     pub size: f64,
-    /// A cell of it, as slab and index: the first one in the order of the grid.
+    /// The first of its cells in the order of the grid, as slab and index.
     pub first: (usize, usize),
 }
 
-/// The parts of a region from the answers for all cells, slab after slab; largest first.
+/// The parts of a region from the answers for all cells, slab after slab, sorted from the largest to the smallest.
 ///
-/// Panics when there is not one answer per cell.
+/// Panics if there is not one answer per cell.
 pub fn components(grid: &Grid, answers: &[bool]) -> Vec<Component> {
     assert_eq!(answers.len() as u64, grid.points(), "one answer per cell");
     let size = grid.slab_points();
@@ -57,7 +57,7 @@ mod tests {
     use super::*;
     use crate::Bounds;
 
-    /// Cells that touch at a corner only are two parts; a row ends where the next begins.
+    /// Cells that touch only at a corner are two parts; a row ends where the next begins.
     #[test]
     fn parts_share_faces() {
         let grid = Grid::new(&Bounds::new(2, &[0.0, 4.0, 0.0, 3.0]).unwrap(), 1.0).unwrap();

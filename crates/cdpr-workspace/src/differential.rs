@@ -1,28 +1,29 @@
-//! How the boundary of a region moves with a parameter, to first order (Pott 2018b, Sec. 3.5).
+//! Motion of the boundary of a region with a parameter, to first order (Pott 2018b, Sec. 3.5).
 //!
-//! On a ray the boundary lies where the margin m(ρ, p) is zero, so that it moves by dρ/dp = −(∂m/∂p)/(∂m/∂ρ). Margins are
-//! piecewise smooth: the rate is that of the piece on which the ray ends.
+//! On a ray the boundary lies where the margin m(ρ, p) is zero, so that it moves by dρ/dp = −(∂m/∂p)/(∂m/∂ρ). Margins
+//! are piecewise smooth: the rate is that of the piece on which the ray ends.
 
 use super::hull::Hull;
 use super::{Point, Region};
 
-/// How fast the end of each ray moves with a parameter.
+/// Rates at which the ends of the rays move with a parameter.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Motion {
-    /// dρ/dp of each ray (m per unit of the parameter); `None` if the margin tells no rate, as where it has no end.
+    /// dρ/dp of each ray (m per unit of the parameter); `None` if the margin gives no rate, such as at the faces of the
+    /// box.
     pub rates: Vec<Option<f64>>,
 }
 
-/// Differences of which the rates are made.
+/// Steps of the differences that give the rates.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Differences {
-    /// The parameter of the two neighbouring regions lies so far above and below that of the hull (its unit).
+    /// Change of the parameter from the hull's region to each of the two neighbouring regions (its unit).
     pub parameter: f64,
-    /// Margins are compared so far before and behind the end of a ray (m).
+    /// Distance before and behind the end of a ray at which margins are compared (m).
     pub radius: f64,
 }
 
-/// The motion of a hull when a parameter of its criterion changes.
+/// The motion of a hull if a parameter of its criterion changes.
 ///
 /// `below` and `above` are the region of the hull with the parameter changed down and up by `differences.parameter`.
 pub fn motion(hull: &Hull, region: &Region<'_>, [below, above]: [&Region<'_>; 2], differences: Differences) -> Motion {
@@ -35,7 +36,7 @@ pub fn motion(hull: &Hull, region: &Region<'_>, [below, above]: [&Region<'_>; 2]
             region.judge(&at(end + differences.radius)).margin - region.judge(&at(end - differences.radius)).margin;
         let by_parameter = above.judge(&at(end)).margin - below.judge(&at(end)).margin;
         let rate = -(by_parameter / differences.parameter) / (outwards / differences.radius);
-        // a margin that grows outwards belongs to no boundary: the box cut the ray
+        // a margin that grows outwards marks no boundary: the box cut the ray
         (outwards < 0.0 && rate.is_finite()).then_some(rate)
     };
     Motion { rates: (0..hull.radii.len()).map(rate).collect() }
@@ -48,12 +49,12 @@ impl Motion {
         hull.with_radii(moved.map(|(radius, rate)| (radius + rate.unwrap_or(0.0) * change).max(0.0)).collect())
     }
 
-    /// How fast the area (m² per unit) or volume (m³ per unit) inside the hull changes with the parameter.
+    /// Rate of the area (m² per unit) or volume (m³ per unit) inside the hull with the parameter.
     pub fn size_rate(&self, hull: &Hull) -> f64 {
         let by_face = hull.faces.iter().map(|face| {
             let rays = if hull.dimension() == 2 { &face[..2] } else { &face[..] };
             let relative = |&ray: &u32| self.rates[ray as usize].unwrap_or(0.0) / hull.radii[ray as usize];
-            // what a face encloses is a product of the radii of its corners
+            // a face encloses a size proportional to the product of the radii of its corners
             hull.face_size(face) * rays.iter().map(relative).sum::<f64>()
         });
         by_face.sum()

@@ -6,14 +6,14 @@ use super::wrench_set::{PayloadError, WrenchSetError};
 use cdpr_model::statics::LoadError;
 use cdpr_model::tension::{InputError, LimitsError};
 
-/// A question that does not fit the robot, or that is none.
+/// A question that does not fit the robot, or is incomplete.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum WorkspaceError {
-    /// Nothing to judge by.
+    /// No criterion was given.
     #[error("no criterion is given; name one, e.g. wrench-feasible")]
     NoCriterion,
-    /// A criterion for straight cables asked of sagging ones.
+    /// A criterion for straight cables was requested for sagging ones.
     #[error(
         "the criterion `{criterion}` asks for directions that do not depend on tensions, but the cables of the model sag; leave the effect out"
     )]
@@ -21,16 +21,16 @@ pub enum WorkspaceError {
         /// Name of the criterion.
         criterion: &'static str,
     },
-    /// The robot's file does not say what the criterion needs.
+    /// The robot's file lacks a key that the criterion needs.
     #[error("the criterion `{criterion}` needs {key}, which the file of \"{robot}\" lacks; {cure}")]
     MissingKey {
         /// Name of the criterion.
         criterion: &'static str,
         /// Name of the robot.
         robot: String,
-        /// The key that is missing, with its table.
+        /// The missing key, with its table.
         key: String,
-        /// How to mend it.
+        /// Advice to the user.
         cure: String,
     },
     /// A criterion of an effect that the model does not have.
@@ -40,10 +40,10 @@ pub enum WorkspaceError {
         criterion: &'static str,
         /// The effect.
         effect: &'static str,
-        /// Why, and how to mend it.
+        /// Reason, and advice to the user.
         cure: String,
     },
-    /// A number of a criterion that it cannot use.
+    /// A number that the criterion cannot use.
     #[error("the criterion `{criterion}` has {setting} = {value}; {wanted}")]
     Setting {
         /// Name of the criterion.
@@ -55,10 +55,10 @@ pub enum WorkspaceError {
         /// Values allowed, in words.
         wanted: &'static str,
     },
-    /// Another number of ends than the box has.
+    /// The number of ends does not match the box.
     #[error("expected {expected} bounds, two per translation of the platform, found {found}")]
     BoundsCount {
-        /// Two for each dimension.
+        /// Number of ends needed: two for each dimension.
         expected: usize,
         /// Numbers given.
         found: usize,
@@ -75,7 +75,7 @@ pub enum WorkspaceError {
         /// Upper end given (m).
         largest: f64,
     },
-    /// Cells without a size.
+    /// The size of cells is not finite and positive.
     #[error("the step is {step} m; cells need a finite size above zero")]
     Step {
         /// Step given (m).
@@ -89,7 +89,7 @@ pub enum WorkspaceError {
         /// A side of the box (m).
         extent: f64,
     },
-    /// Orientations asked of a platform that does not turn.
+    /// Orientations were requested for a platform that does not turn.
     #[error("the {archetype} workspace asks for orientations, but motion pattern {pattern} does not turn")]
     NoRotation {
         /// Word for the archetype.
@@ -97,13 +97,13 @@ pub enum WorkspaceError {
         /// Name of the motion pattern.
         pattern: &'static str,
     },
-    /// A set of orientations without any.
+    /// The set of orientations is empty.
     #[error("the {archetype} workspace needs at least one orientation, none is given")]
     NoOrientation {
         /// Word for the archetype.
         archetype: &'static str,
     },
-    /// Too few rays for a face, or more than memory.
+    /// Too few rays for a face, or more than memory allows.
     #[error("{rays} rays do not make a hull; between {least} and {most} do")]
     Rays {
         /// Rays given.
@@ -113,7 +113,7 @@ pub enum WorkspaceError {
         /// Most.
         most: usize,
     },
-    /// A bisection that would not end, or not begin.
+    /// The tolerance is not finite and positive, so that bisection would not end, or not begin.
     #[error("the tolerance is {tolerance} m; it must be finite and above zero")]
     Tolerance {
         /// Tolerance given (m).
@@ -132,19 +132,19 @@ pub enum WorkspaceError {
     CenterOutside {
         /// Its coordinates.
         center: String,
-        /// Why it fails there.
+        /// Reason for which it fails there.
         reason: String,
     },
-    /// Limits of tension that are unknown or leave none.
+    /// Limits of tension that are unknown, or leave no tensions.
     #[error(transparent)]
     Limits(#[from] LimitsError),
     /// A load that is unknown.
     #[error(transparent)]
     Load(#[from] LoadError),
-    /// Cables without a wrench set.
+    /// Cables that have no wrench set.
     #[error(transparent)]
     WrenchSet(#[from] WrenchSetError),
-    /// A payload that is unknown or none.
+    /// A payload that is unknown or invalid.
     #[error(transparent)]
     Payload(#[from] PayloadError),
     /// Limits or wrenches that do not fit the model.

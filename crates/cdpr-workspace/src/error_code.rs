@@ -1,4 +1,4 @@
-//! Codes of what workspaces refuse.
+//! Codes of the errors of workspaces.
 
 use cdpr_model::reading::ErrorCode;
 

@@ -11,15 +11,15 @@ pub struct Grid {
     counts: [usize; 3],
 }
 
-/// More cells along one side are a slip of the finger.
+/// Most cells along one side; a larger number is taken for a typing error.
 const MOST_CELLS: f64 = 1e6;
 
-/// Whole cells of at most this size along a side.
+/// Number of cells of at most this size along a side.
 pub(super) fn cell_count(bounds: &Bounds, axis: usize, step: f64) -> Result<usize, WorkspaceError> {
     if !(step > 0.0 && step.is_finite()) {
         return Err(WorkspaceError::Step { step });
     }
-    // a side that is a whole number of steps long may miss it by rounding
+    // a side of a whole number of steps may miss it by rounding
     let count = (bounds.extent(axis) / step - 1e-9).ceil().max(1.0);
     match count <= MOST_CELLS {
         true => Ok(count as usize),
@@ -37,7 +37,8 @@ impl Grid {
         Ok(Self { bounds: *bounds, counts })
     }
 
-    /// Whether points of the box count as those of the region: the answers at the middles of the cells in which they lie.
+    /// Writes for points of the box whether they count as part of the region: the answers at the middles of their
+    /// cells.
     pub fn contains(&self, region: &Region<'_>, points: &[Point], answers: &mut [bool]) {
         let middles: Vec<Point> = points.iter().map(|point| self.middle_about(point)).collect();
         region.holds_all(&middles, answers);
@@ -80,7 +81,7 @@ impl Grid {
         self.counts[self.bounds.dimension() - 1]
     }
 
-    /// Cells of a slab: rows along the first axis, one row in a plane.
+    /// Cells of a slab along its two axes: rows along the first axis, one row in a plane.
     fn slab_counts(&self) -> [usize; 2] {
         [self.counts[0], if self.bounds.dimension() == 3 { self.counts[1] } else { 1 }]
     }
@@ -106,39 +107,39 @@ impl Grid {
     }
 }
 
-/// A count of cells under way: what is needed to go on with it, now or after reading it back.
+/// A count of cells in progress, with all data needed to continue it, also after reading it back from a file.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Count {
     /// Slabs judged so far, from the lower end of the last axis.
     pub slabs: usize,
     /// Cells judged so far.
     pub points: u64,
-    /// Those at whose middle the criterion holds.
+    /// Cells at whose middle the criterion holds.
     pub feasible_points: u64,
-    /// Those of them that share a face with a cell at which it fails.
+    /// Feasible cells that share a face with a cell at which the criterion fails.
     boundary_inside: u64,
-    /// Cells at which it fails that share a face with one at which it holds.
+    /// Infeasible cells that share a face with a cell at which it holds.
     boundary_outside: u64,
-    /// Cells at the faces of the box at which it holds.
+    /// Feasible cells at the faces of the box.
     at_bounds: u64,
-    /// Sum of the coordinates of the cells at which it holds (m).
+    /// Sum of the coordinates of the feasible cells (m).
     moment: [f64; 3],
-    /// The last two slabs, the earlier one first; runs of equal answers, the first one of failures.
+    /// The last two slabs, the earlier one first, as runs of equal answers that start with failures.
     last: [Vec<u32>; 2],
 }
 
 /// Outcome of counting the cells of a grid: size of a region and its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
-    /// Area (m²) or volume (m³): that of the cells at whose middle the criterion holds.
+    /// Area (m²) or volume (m³) of the cells at whose middle the criterion holds.
     pub size: f64,
-    /// How far that can be from the truth (m², m³), unless the region or a gap in it is thinner than a cell.
+    /// Bound of the error of the size (m², m³), unless the region or a gap in it is thinner than a cell.
     ///
     /// Only cells that share a face with a cell of the other kind can be cut by the boundary.
     pub error_bound: f64,
-    /// Centroid of the cells at which it holds (m); the middle of the box where it holds nowhere.
+    /// Centroid of the feasible cells (m); the middle of the box if there are none.
     pub centroid: Point,
-    /// True where the region reaches the faces of the box, so that more of it may lie outside.
+    /// True if the region reaches the faces of the box, so that more of it may lie outside.
     pub reaches_bounds: bool,
 }
 
@@ -160,7 +161,7 @@ impl Count {
         }
     }
 
-    /// True when this can be a count of that grid, as far as a state that was read back tells.
+    /// True if this can be a count of that grid, as far as its numbers show.
     pub fn fits(&self, grid: &Grid) -> bool {
         let size = grid.slab_points() as u64;
         let held = |lengths: &[u32]| lengths.iter().map(|&length| u64::from(length)).sum::<u64>();
@@ -172,9 +173,10 @@ impl Count {
             && before == if self.slabs > 1 { size } else { 0 }
     }
 
-    /// Judges the next slabs, some ten thousand cells at once, and shows each slab with its answers; false when none is left.
+    /// Judges the next slabs, some ten thousand cells at once, and passes each slab with its answers to `seen`; false
+    /// if none is left.
     ///
-    /// Memory is that of these cells, whatever the size of the grid.
+    /// Memory is that of these cells, independent of the size of the grid.
     pub fn advance(&mut self, region: &Region<'_>, grid: &Grid, seen: &mut dyn FnMut(usize, &[bool])) -> bool {
         let size = grid.slab_points();
         let until = (self.slabs + BLOCK.div_ceil(size)).min(grid.slabs());
@@ -197,7 +199,7 @@ impl Count {
         self.slabs < grid.slabs()
     }
 
-    /// Counts the cells of a slab.
+    /// Adds the cells of a slab to the count.
     fn add(&mut self, grid: &Grid, slab: usize, answers: &[bool]) {
         let [row, rows] = grid.slab_counts();
         let is_end_slab = slab == 0 || slab + 1 == grid.slabs();
@@ -213,7 +215,8 @@ impl Count {
         }
     }
 
-    /// Counts the cells of the middle slab that have a neighbour of the other kind; a slab outside the box is empty.
+    /// Counts the cells of the middle slab that have a neighbour with the other answer; a slab outside the box is
+    /// empty.
     fn count_boundary(&mut self, grid: &Grid, [before, middle, after]: [&[bool]; 3]) {
         let [row, _] = grid.slab_counts();
         for (index, &answer) in middle.iter().enumerate() {
@@ -252,7 +255,7 @@ impl Default for Count {
     }
 }
 
-/// Lengths of runs of equal answers, the first one of failures.
+/// Lengths of runs of equal answers, starting with failures.
 fn runs(answers: &[bool]) -> Vec<u32> {
     let mut lengths = Vec::new();
     let (mut value, mut length) = (false, 0);
@@ -272,7 +275,7 @@ fn expanded(lengths: &[u32]) -> Vec<bool> {
     runs.flat_map(|(index, &length)| std::iter::repeat_n(index % 2 == 1, length as usize)).collect()
 }
 
-/// Outcome of the answers for all cells, slab after slab; panics when there is not one per cell.
+/// Outcome of the answers for all cells, slab after slab; panics if there is not one per cell.
 pub fn outcome(grid: &Grid, answers: &[bool]) -> Outcome {
     assert_eq!(answers.len() as u64, grid.points(), "one answer per cell");
     let mut count = Count::new();

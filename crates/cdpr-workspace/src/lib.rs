@@ -1,9 +1,9 @@
 //! Workspaces: criteria that judge one pose, and methods that find the set of poses at which they hold.
 //!
-//! A [`Criterion`] answers a pose with a [`Verdict`]: a signed margin and, where it fails, the first reason in words. A
-//! [`Region`] asks it about positions, in one orientation or a set of them. [`grid`] counts cells, [`octree`] refines them at
-//! the boundary only, and [`hull`] follows rays from a centre to the boundary. An [`Audit`] bounds the error of either, and
-//! [`refine`](mod@refine) makes it small.
+//! A [`Criterion`] answers a pose with a [`Verdict`]: a signed margin and, if it fails, the first reason in words. A
+//! [`Region`] applies it to positions, in one orientation or a set of them. [`grid`] counts cells, [`octree`] refines
+//! them at the boundary only, and [`hull`] follows rays from a centre to the boundary. An [`Audit`] bounds the error of
+//! any of them, and [`refine`](mod@refine) reduces it.
 
 mod audit;
 mod bounds;

@@ -1,4 +1,4 @@
-//! Positions at which a criterion holds: in one orientation, in every one of a set, or in some one of it.
+//! Positions at which a criterion holds: in one orientation, in all of a set, or in at least one of it.
 
 use nalgebra::{UnitQuaternion, Vector3};
 
@@ -7,10 +7,10 @@ use super::{Criterion, Point, Verdict, WorkspaceError};
 use cdpr_model::geometry::{MotionPattern, Pose};
 use cdpr_model::model::Model;
 
-/// Which orientations count (the archetypes of Merlet 2006, ch. 7, and Pott 2018, ch. 5).
+/// Orientations that count (the archetypes of Merlet 2006, ch. 7, and Pott 2018, ch. 5).
 ///
-/// Sets of orientations are samples: a position of the total orientation or the dextrous workspace was judged in each of
-/// them and in none between ([`Region::side`]).
+/// Sets of orientations are samples: a position of the total-orientation or the dextrous workspace was judged in each
+/// of them and in none between ([`Region::side`]).
 #[derive(Clone, Debug, PartialEq)]
 pub enum Archetype {
     /// Positions that the platform reaches in this orientation.
@@ -19,35 +19,35 @@ pub enum Archetype {
     TotalOrientation(Vec<UnitQuaternion<f64>>),
     /// Positions that it reaches in at least one of these orientations.
     InclusionOrientation(Vec<UnitQuaternion<f64>>),
-    /// Positions that it reaches in at least one orientation at all, out of one and so many spread evenly.
+    /// Positions that it reaches in at least one orientation, sampled by a given one and a number spread evenly.
     Maximal {
-        /// The orientation that counts besides: the constant-orientation workspace lies in the maximal one.
+        /// The given orientation: its constant-orientation workspace lies in the maximal one.
         besides: UnitQuaternion<f64>,
         /// Number of orientations spread evenly.
         orientations: usize,
     },
-    /// Positions that it reaches in every orientation, out of one and so many spread evenly.
+    /// Positions that it reaches in every orientation, sampled by a given one and a number spread evenly.
     Dextrous {
-        /// The orientation that counts besides: the dextrous workspace lies in the constant-orientation one.
+        /// The given orientation: the dextrous workspace lies in its constant-orientation one.
         besides: UnitQuaternion<f64>,
         /// Number of orientations spread evenly.
         orientations: usize,
     },
 }
 
-/// Side on which the size of a region bounds the size that is meant, for orientations are samples.
+/// Side on which the size of a region bounds the archetype's size, since orientations are samples.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Side {
-    /// It is that size.
+    /// The sizes are equal.
     Exact,
-    /// It is no larger: other orientations of the set may add positions.
+    /// The region is no larger: other orientations of the set may add positions.
     AtLeast,
-    /// It is no smaller: other orientations of the set may rule positions out.
+    /// The region is no smaller: other orientations of the set may rule positions out.
     AtMost,
 }
 
 impl Archetype {
-    /// The word for it: `constant-orientation`, `total-orientation` and so on.
+    /// The archetype's name: `constant-orientation`, `total-orientation` and so on.
     pub fn name(&self) -> &'static str {
         match self {
             Self::ConstantOrientation(_) => "constant-orientation",
@@ -59,7 +59,8 @@ impl Archetype {
     }
 }
 
-/// Positions at which a criterion holds, as the archetype asks: what grid, octree and hull measure.
+/// Positions at which a criterion holds in the orientations of an archetype: the set that grid, octree and hull
+/// measure.
 #[derive(Clone)]
 pub struct Region<'a> {
     criterion: &'a dyn Criterion,
@@ -70,7 +71,7 @@ pub struct Region<'a> {
     side: Side,
 }
 
-/// Points handed to the criterion at once.
+/// Number of points passed to the criterion at once.
 const BATCH: usize = 512;
 
 impl<'a> Region<'a> {
@@ -115,7 +116,7 @@ impl<'a> Region<'a> {
         &self.orientations
     }
 
-    /// The word for the archetype.
+    /// The name of the archetype.
     pub fn archetype(&self) -> &'static str {
         self.archetype
     }
@@ -125,27 +126,27 @@ impl<'a> Region<'a> {
         self.side
     }
 
-    /// The same question of another criterion.
+    /// The same region for another criterion.
     #[must_use]
     pub fn with_criterion<'b>(&self, criterion: &'b dyn Criterion) -> Region<'b> {
         Region { criterion, ..self.clone() }
     }
 
-    /// A point in the world (m).
+    /// Position of a point in the world (m).
     pub fn position(&self, point: &Point) -> Vector3<f64> {
         self.axes.iter().zip(point).map(|(axis, along)| axis * *along).sum()
     }
 
-    /// The coordinates of a position in the world (m).
+    /// Coordinates of a position in the world along the robot's translations (m).
     pub fn point(&self, position: &Vector3<f64>) -> Point {
         let mut point = [0.0; 3];
         point.iter_mut().zip(&self.axes).for_each(|(along, axis)| *along = axis.dot(position));
         point
     }
 
-    /// The full answer at a point: the least margin of the orientations where all must hold, the largest where one must.
+    /// The full answer at a point: the least margin of the orientations if all must hold, the largest if one must.
     ///
-    /// Reason and cable are those of the orientation whose margin it is.
+    /// Reason and cable are those of the orientation with this margin.
     pub fn judge(&self, point: &Point) -> Verdict {
         let position = self.position(point);
         let mut decisive: Option<Verdict> = None;
@@ -162,7 +163,7 @@ impl<'a> Region<'a> {
         decisive.unwrap_or_else(|| Verdict::impossible("there is no orientation to judge", None))
     }
 
-    /// Whether a point belongs to the region.
+    /// True if a point belongs to the region.
     pub fn holds(&self, point: &Point) -> bool {
         let position = self.position(point);
         let mut answers =
@@ -170,15 +171,15 @@ impl<'a> Region<'a> {
         if self.needs_every { answers.all(|holds| holds) } else { answers.any(|holds| holds) }
     }
 
-    /// Spans (m) of a ray from a point, in a direction of length 1 and so far (m), that belong to the region, in closed form;
-    /// `None` where the criterion has none, or where several orientations count.
+    /// Spans (m) of a ray from a point that belong to the region, in closed form, along a direction of length 1 up to
+    /// `length` (m); `None` if the criterion has no closed form or several orientations count.
     pub(crate) fn holds_along(&self, from: &Point, direction: &Point, length: f64) -> Option<Spans> {
         let [rotation] = self.orientations[..] else { return None };
         let start = Pose { position: self.position(from), rotation };
         self.criterion.holds_along(&start, &self.position(direction), length)
     }
 
-    /// Whether each of many points belongs to the region; `answers` has one entry per point.
+    /// Writes for each point whether it belongs to the region; `answers` has one entry per point.
     ///
     /// Threads share the points with the feature `parallel`; the answers do not depend on it.
     pub fn holds_all(&self, points: &[Point], answers: &mut [bool]) {
@@ -194,7 +195,7 @@ impl<'a> Region<'a> {
         }
     }
 
-    /// Asks orientation after orientation for the points that the ones before left open.
+    /// Asks orientation after orientation about the points that earlier ones left undecided.
     fn holds_batch(&self, points: &[Point], answers: &mut [bool]) {
         answers.fill(self.needs_every);
         let mut open: Vec<usize> = (0..points.len()).collect();
@@ -212,7 +213,7 @@ impl<'a> Region<'a> {
     }
 }
 
-/// One orientation, and others spread evenly over all that the platform can take.
+/// One orientation, followed by `count` others spread evenly over all that the platform can take.
 ///
 /// In a plane angles of equal distance; in space the super-Fibonacci spiral (Alexa 2022, eq. 5).
 fn spread(model: &Model, besides: UnitQuaternion<f64>, count: usize) -> Vec<UnitQuaternion<f64>> {

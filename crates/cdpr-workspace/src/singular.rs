@@ -1,15 +1,15 @@
-//! Whether cables act in every direction in which the platform can move.
+//! Test of whether the cables act in every direction in which the platform can move.
 
 use super::criterion::rank;
 use super::{Point, Region};
 use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 
-/// Largest rank of the structure matrix at points of a region, each in the first orientation in which the criterion holds; `None`
-/// where there is no such point.
+/// Largest rank of the structure matrix at points of a region, each in the first orientation in which the criterion
+/// holds; `None` if there is no such point.
 ///
-/// Less than the degrees of freedom everywhere, it says that cables balance the load as it is, but hold the platform against none in
-/// some direction.
+/// If it is less than the degrees of freedom, the cables balance the load, but cannot balance any change of it in some
+/// direction.
 pub fn largest_rank(model: &Model, region: &Region<'_>, points: &[Point]) -> Option<usize> {
     let rank_at = |point: &Point| {
         let position = region.position(point);

@@ -3,32 +3,33 @@
 /// Verdict of a criterion on one pose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Verdict {
-    /// Signed margin in the criterion's unit: at least 0 where it holds, below 0 where it fails, −∞ where no amount would
-    /// mend it; never NaN.
+    /// Signed margin in the criterion's unit: at least 0 if it holds, below 0 if it fails, −∞ if no change of the
+    /// quantity would make it hold; never NaN.
     pub margin: f64,
-    /// First reason in words when it fails (names cable and number); `None` when it holds.
+    /// First reason in words if it fails (names cable and number); `None` if it holds.
     pub reason: Option<String>,
-    /// The cable that limits (from 0), when one does.
+    /// The limiting cable (from 0), if there is one.
     pub cable: Option<usize>,
 }
 
 impl Verdict {
-    /// The criterion holds with this margin; below zero only by rounding.
+    /// Verdict that the criterion holds with this margin, which may be below zero only by rounding.
     pub fn held(margin: f64, cable: Option<usize>) -> Self {
         Self { margin: margin.max(0.0), reason: None, cable }
     }
 
-    /// The criterion fails by this margin, for a reason in words; zero or above only by rounding.
+    /// Verdict that the criterion fails by this margin, for a reason in words; zero or above only by rounding.
     pub fn failed(margin: f64, reason: impl Into<String>, cable: Option<usize>) -> Self {
         Self { margin: margin.min(-f64::MIN_POSITIVE), reason: Some(reason.into()), cable }
     }
 
-    /// The criterion has no meaning at the pose, so that it fails whatever would be changed: no path of a cable, say.
+    /// Verdict that the criterion is not defined at the pose, for example because a cable has no path: the margin is
+    /// −∞.
     pub fn impossible(reason: impl Into<String>, cable: Option<usize>) -> Self {
         Self::failed(f64::NEG_INFINITY, reason, cable)
     }
 
-    /// True when the criterion holds.
+    /// True if the criterion holds.
     pub fn holds(&self) -> bool {
         self.margin >= 0.0
     }

@@ -9,7 +9,7 @@ use cdpr_model::model::Model;
 use cdpr_model::statics::Load;
 use cdpr_model::tension::Limits;
 
-/// Criteria asked of a model under a load, in one orientation of the platform.
+/// Criteria for a model under a load, in one orientation of the platform.
 #[derive(Clone, Debug)]
 pub struct Workspace {
     model: Model,
@@ -23,14 +23,15 @@ pub struct Workspace {
 pub struct WorkspaceSize {
     /// Area of planar robots (m²), volume of others (m³).
     pub size: f64,
-    /// Bound of its error with the probability [`CONFIDENCE`](super::CONFIDENCE) (m², m³).
+    /// Bound of the size's error with the probability [`CONFIDENCE`](super::CONFIDENCE) (m², m³).
     pub error_bound: f64,
-    /// True where the set reaches the faces of the box that was searched, so that more of it may lie outside.
+    /// True if the set reaches the faces of the box that was searched, so that more of it may lie outside.
     pub reaches_bounds: bool,
 }
 
 impl Workspace {
-    /// Positions of a model's platform under a load, its axes along those of the world; criteria follow, then [`Workspace::volume`].
+    /// Positions of a model's platform under a load, its axes parallel to those of the world; add criteria, then call
+    /// [`Workspace::volume`].
     ///
     /// ```
     /// use cdpr::workspace::Workspace;
@@ -49,28 +50,28 @@ impl Workspace {
 }
 
 impl Workspace {
-    /// Tensions within the limits of the robot's file balance the load (eq. 3.29).
+    /// Requires that tensions within the limits of the robot's file balance the load (eq. 3.29).
     #[must_use]
     pub fn wrench_feasible(self) -> Self {
         self.criterion(CriterionRequest::wrench_feasible())
     }
 
-    /// One more criterion, as the command reads it: `"stiffness:least=1e5".parse()?`. All have to hold.
+    /// Adds a criterion in the notation of the command: `"stiffness:least=1e5".parse()?`. All have to hold.
     #[must_use]
     pub fn criterion(mut self, request: CriterionRequest) -> Self {
         self.requests.push(request);
         self
     }
 
-    /// Another orientation of the platform.
+    /// Sets the orientation of the platform.
     #[must_use]
     pub fn orientation(mut self, orientation: UnitQuaternion<f64>) -> Self {
         self.orientation = orientation;
         self
     }
 
-    /// Size of the set, on a grid that is refined until the bound of its error is 1 % or a second of work is done: the number of
-    /// `cdpr workspace`. Without a criterion there is no set ([`WorkspaceError::NoCriterion`]).
+    /// Size of the set, on a grid that is refined until the bound of its error is 1 % or a second of work is done;
+    /// `cdpr workspace` prints the same number. Without a criterion the error is [`WorkspaceError::NoCriterion`].
     pub fn volume(&self) -> Result<WorkspaceSize, WorkspaceError> {
         let limits = Limits::of(self.model.robot(), None, None);
         let setting = Setting { model: &self.model, load: Ok(self.load), limits };

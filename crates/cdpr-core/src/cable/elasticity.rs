@@ -28,15 +28,15 @@ pub enum StiffnessBasis {
 /// Compliance c = κ_q q + κ_θ q_θ + c₀ of one cable.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Elasticity<T> {
-    /// κ_q, share of the geometric length (1/N).
+    /// κ_q, compliance per geometric length q (1/N).
     pub by_length: T,
-    /// κ_θ, share of the controlled length (1/N).
+    /// κ_θ, compliance per controlled length q_θ (1/N).
     pub by_controlled_length: T,
     /// c₀, independent of the lengths (m/N).
     pub constant: T,
 }
 
-/// A tension with its derivatives. Negative where the cable would have to push: the caller decides what then.
+/// A tension with its derivatives; negative if the cable would have to push, which is the caller's case to handle.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Tension<T> {
     /// f (N).
@@ -72,7 +72,8 @@ impl Elasticity<f64> {
         Self { constant: 1.0 / stiffness + series, ..Self::RIGID }
     }
 
-    /// Cable of the specific compliance κ = 1/EA (1/N) by a basis, with q_h behind the outlet (m) and a compliance in series (m/N).
+    /// Cable with specific compliance κ = 1/EA (1/N), proportional to the length that `basis` names, with hidden length
+    /// q_h (m) and a compliance in series (m/N).
     #[inline]
     pub fn specific(compliance: f64, basis: StiffnessBasis, hidden_length: f64, series: f64) -> Self {
         let constant = compliance * hidden_length + series;
@@ -90,13 +91,14 @@ impl Elasticity<f64> {
 }
 
 impl<T: Real> Elasticity<T> {
-    /// c at these lengths (m/N).
+    /// Returns the compliance c at a geometric and a controlled length (m/N).
     #[inline(always)]
     pub fn compliance(&self, length: T, controlled_length: T) -> T {
         self.by_length * length + self.by_controlled_length * controlled_length + self.constant
     }
 
-    /// Tension f = (q − q_θ)/c with its derivatives, also where the cable would have to push; not finite for a rigid cable.
+    /// Tension f = (q − q_θ)/c with its derivatives, negative if the cable would have to push; not finite for a rigid
+    /// cable.
     #[inline(always)]
     pub fn tension(&self, length: T, controlled_length: T) -> Tension<T> {
         let one = length.constant(1.0);
@@ -117,8 +119,8 @@ impl<T: Real> Elasticity<T> {
         (length - tension * stretch) / (length.constant(1.0) + tension * self.by_controlled_length)
     }
 
-    /// [`Elasticity::controlled_length`] with its derivatives; `hidden_length` (m) and `specific` compliance (1/N) are
-    /// those that the law was made of.
+    /// [`Elasticity::controlled_length`] with its derivatives; `hidden_length` (m) and the `specific` compliance (1/N)
+    /// are those the law was built from.
     #[inline(always)]
     pub fn controlled_length_gradient(
         &self,

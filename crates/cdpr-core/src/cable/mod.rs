@@ -1,4 +1,4 @@
-//! One cable: what it does, one file per effect, written once over [`crate::scalar::Real`].
+//! Models of one cable, one file per effect, written once over [`crate::scalar::Real`].
 
 pub mod elasticity;
 pub mod law;

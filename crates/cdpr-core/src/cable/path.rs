@@ -5,9 +5,9 @@ use thiserror::Error;
 use super::wrench::wrench;
 use crate::scalar::{Real, dot, rotate_back, scale};
 
-/// Length and pull of one rigid, straight cable, with what its derivatives need.
+/// Length and pull of one rigid, straight cable, with the terms of their derivatives.
 ///
-/// Laws that hold for every outlet (p_B: platform anchor in the world, a: frame anchor):
+/// Identities that hold for every outlet (p_B: platform anchor in the world, a: frame anchor):
 /// ∂q/∂p_B = −u, ∂q/∂a = u (the involute property), ∂u/∂p_B = −∂u/∂a.
 #[derive(Clone, Copy, Debug)]
 pub struct CablePath<T> {
@@ -27,7 +27,7 @@ pub struct CablePath<T> {
     pub direction_gradient: [[T; 3]; 3],
 }
 
-/// Why a cable has no unique path.
+/// Reason for which a cable has no unique path.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum GeometryError {
     /// The two anchors coincide, so the cable has no direction.
@@ -83,7 +83,8 @@ impl GeometryError {
 }
 
 impl<T: Real> CablePath<T> {
-    /// Derivatives of length and direction by the pose: rows ∂q/∂\[δr; δφ\] and ∂u/∂\[δr; δφ\], for the moment arm b = R b_P.
+    /// Derivatives of length and direction by the pose: rows ∂q/∂\[δr; δφ\] and ∂u/∂\[δr; δφ\], for the moment arm
+    /// b = R b_P.
     ///
     /// ∂q = −\[u; b × u\] and ∂u = ∂u/∂p_B · \[I, −\[b\]×\] (see the book, “Models”).
     #[inline(always)]
@@ -93,8 +94,8 @@ impl<T: Real> CablePath<T> {
         (length, [wrench(moment_arm, x), wrench(moment_arm, y), wrench(moment_arm, z)])
     }
 
-    /// Derivatives of the recorded length s q + o, times a weight: by frame anchor (world), platform anchor (platform frame), offset o,
-    /// scale s and pulley radius. R is given by rows.
+    /// Derivatives of the recorded length s q + o, times a weight: by frame anchor (world), platform anchor (platform
+    /// frame), offset o, scale s and pulley radius. R is given by rows.
     #[inline(always)]
     pub fn recorded_length_row(&self, rotation: &[[T; 3]; 3], weight: T, length_scale: T) -> [T; 9] {
         let factor = weight * length_scale;

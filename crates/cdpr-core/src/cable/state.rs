@@ -10,7 +10,7 @@ use super::wrench::{CableEnd, wrench, wrench_by_pose};
 use crate::geometry::{Twist, Wrench};
 use crate::scalar::{add, cross, dot, rotate, scale};
 
-/// Quantity that determines a cable beside the place of its end.
+/// Quantity that determines a cable together with the position of its end.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum CableInput {
     /// q_θ (m).
@@ -35,7 +35,7 @@ pub struct Recording {
 }
 
 impl Recording {
-    /// Numbers recorded as they are.
+    /// The robot records lengths and tensions as they are.
     pub const EXACT: Self = Self { length_scale: 1.0, length_offset: 0.0, tension_scale: 1.0, tension_offset: 0.0 };
 
     /// Length that the robot records for a controlled length: length_scale · q_θ + length_offset (m).
@@ -44,7 +44,7 @@ impl Recording {
         self.length_scale * controlled_length + self.length_offset
     }
 
-    /// Controlled length behind a recorded one (m).
+    /// Controlled length of a recorded length (m).
     #[inline]
     pub fn controlled_length(&self, recorded: f64) -> f64 {
         (recorded - self.length_offset) / self.length_scale
@@ -56,32 +56,33 @@ impl Recording {
         self.tension_scale * tension + self.tension_offset
     }
 
-    /// Real tension behind a recorded one (N).
+    /// Real tension of a recorded tension (N).
     #[inline]
     pub fn real_tension(&self, recorded: f64) -> f64 {
         (recorded - self.tension_offset) / self.tension_scale
     }
 }
 
-/// A cable at rest between its outlet and its end on the platform, of any law.
+/// A cable of any law at rest between its outlet and its end on the platform.
 ///
-/// Derivatives at fixed tension keep the one at the outlet. Those at fixed controlled length are not finite for cables that are straight and
-/// rigid, and zero for slack straight ones.
+/// Derivatives at fixed tension keep the tension at the outlet. Derivatives at fixed controlled length are not finite
+/// for straight, rigid cables and zero for straight, slack ones.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CableState {
     /// Platform anchor and moment arm b (world, m).
     pub end: CableEnd<f64>,
-    /// Calibration of what is recorded.
+    /// Calibration of the recorded length and tension.
     pub recording: Recording,
-    /// True where the tension that determines the cable is that at the platform anchor.
+    /// True if the tension that determines the cable is given at the platform anchor.
     pub is_given_at_platform: bool,
-    /// F and L; of a straight cable F = f times the direction away from the outlet and L its unstrained free length.
+    /// F and L; for a straight cable F is f times the direction away from the outlet and L its unstrained free length.
     pub span: span::SpanState<f64>,
     /// q_θ (m).
     pub controlled_length: f64,
     /// Pull t on the platform (world, N).
     pub pull: [f64; 3],
-    /// Unit vector of the pull at the platform anchor, along the cable's end tangent; defined for slack straight cables too.
+    /// Unit vector of the pull at the platform anchor, along the cable's end tangent; defined for slack straight cables
+    /// too.
     pub direction: [f64; 3],
     /// Tension at the outlet (N).
     pub outlet_tension: f64,
@@ -105,7 +106,7 @@ pub struct CableState {
     pub controlled_length_by_anchor: [f64; 3],
 }
 
-/// Why a cable cannot be as asked.
+/// Reason for which a cable has no state at this input.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum CableStateError {
     /// A cable that does not stretch is shorter than the distance it has to span.
@@ -119,18 +120,18 @@ pub enum CableStateError {
         /// Least length (m).
         least: f64,
     },
-    /// No cable of this weight has so little tension here.
+    /// The tension is below the least tension of a cable of this weight at this pose.
     #[error(
         "a tension of {tension:.3} N is less than the cable's own weight leaves: at this pose its outlet carries {least:.3} N at \
          least"
     )]
     TensionTooLow {
-        /// Tension asked for (N).
+        /// Required tension (N).
         tension: f64,
         /// Least tension (N).
         least: f64,
     },
-    /// More tension than the law of stretch can take with a length left.
+    /// The tension is so large that the law of stretch leaves no positive controlled length.
     #[error("a tension of {tension:.3} N stretches the cable from a controlled length below zero")]
     Overstretched {
         /// Tension (N).
@@ -149,7 +150,7 @@ pub enum CableStateError {
     },
 }
 
-/// Gap that an iteration left (m).
+/// Gap left by an iteration, for display (m).
 struct Missing(f64);
 
 impl fmt::Display for Missing {
@@ -164,7 +165,7 @@ impl fmt::Display for Missing {
 }
 
 impl CableStateError {
-    /// True where numbers left the range that a computer represents: not the cable is at fault, but what was asked.
+    /// True if numbers overflowed: the input, not the cable, is at fault.
     #[inline]
     pub fn is_overflow(&self) -> bool {
         matches!(self, Self::NotConverged { gap, .. } if !gap.is_finite())
@@ -172,7 +173,7 @@ impl CableStateError {
 }
 
 impl CableState {
-    /// Refuses a tension that leaves no length.
+    /// Returns the state, or `Overstretched` if its controlled length is not positive.
     #[inline]
     pub fn unless_overstretched(self) -> Result<Self, CableStateError> {
         // written so that NaN is refused too
@@ -188,8 +189,8 @@ impl CableState {
         self.wrench_of(self.pull)
     }
 
-    /// Change of the wrench with the tension where it is given, at a fixed pose: of a straight cable the column \[u; b × u\] of the
-    /// structure matrix.
+    /// Change of the wrench with the tension at the end where it is given, at a fixed pose: for a straight cable the
+    /// column \[u; b × u\] of the structure matrix.
     #[inline]
     pub fn wrench_by_tension(&self) -> Wrench {
         self.wrench_of(match self.is_given_at_platform {
@@ -204,7 +205,7 @@ impl CableState {
         self.wrench_of(self.by_controlled_length)
     }
 
-    /// \[v; b × v\] of a change v of the pull.
+    /// Wrench \[v; b × v\] of a change v of the pull.
     #[inline]
     pub fn wrench_of(&self, pull: [f64; 3]) -> Wrench {
         wrench(self.end.moment_arm, pull).into()
@@ -216,13 +217,13 @@ impl CableState {
         -matrix(&wrench_by_pose(&self.tangent, self.end.moment_arm, self.pull))
     }
 
-    /// ∂\[t; b × t\]/∂\[δr; δφ\] at fixed tension at the outlet: the cable's share of K_G.
+    /// ∂\[t; b × t\]/∂\[δr; δφ\] at fixed tension at the outlet: the cable's contribution to K_G.
     #[inline]
     pub fn wrench_by_pose(&self) -> Matrix6<f64> {
         matrix(&wrench_by_pose(&self.tangent_at_tension, self.end.moment_arm, self.pull))
     }
 
-    /// [`CableState::wrench_by_pose`] at fixed tension where it is given.
+    /// [`CableState::wrench_by_pose`] at fixed tension at the end where it is given.
     #[inline]
     pub fn wrench_by_pose_at_given(&self) -> Matrix6<f64> {
         match self.is_given_at_platform {
@@ -243,7 +244,7 @@ impl CableState {
         self.wrench_of(self.controlled_length_by_anchor)
     }
 
-    /// Change of the recorded length along a twist of the platform, at fixed tension where it is given.
+    /// Change of the recorded length (m) along a twist of the platform, at fixed tension at the end where it is given.
     #[inline]
     pub fn recorded_length_by_twist(&self, twist: &Twist) -> f64 {
         let at_outlet = self.controlled_length_by_pose().dot(twist);
@@ -257,7 +258,7 @@ impl CableState {
         self.recording.length_scale * (at_outlet + self.controlled_length_by_tension * more)
     }
 
-    /// Change of wrench and recorded length with a change of the tension where it is given.
+    /// Change of wrench and recorded length with a change of the tension at the end where it is given (N).
     #[inline]
     pub fn by_given_tension(&self, change: f64) -> (Wrench, f64) {
         let at_outlet = if self.is_given_at_platform { self.outlet_by_given_tension() } else { 1.0 };
@@ -265,7 +266,7 @@ impl CableState {
         (self.wrench_by_tension() * change, length)
     }
 
-    /// Tension where it is given (N).
+    /// Tension at the end where it is given (N).
     #[inline]
     pub fn given_tension(&self) -> f64 {
         if self.is_given_at_platform { self.platform_tension } else { self.outlet_tension }
@@ -276,12 +277,14 @@ impl CableState {
         1.0 / dot(self.direction, self.by_tension)
     }
 
-    /// Change of the tension at the outlet that keeps the tension at the platform when the pull changes at fixed outlet tension.
+    /// Change of the outlet tension (N) that keeps the platform tension when the pull changes by `pull` at fixed outlet
+    /// tension.
     fn outlet_change(&self, pull: [f64; 3]) -> f64 {
         -dot(self.direction, pull) * self.outlet_by_given_tension()
     }
 
-    /// A change at fixed tension at the outlet, brought to fixed tension where it is given: of the pull and the recorded length.
+    /// Changes of the pull (N) and the recorded length (m) at the end where the tension is given, from changes of the
+    /// pull and the controlled length at fixed outlet tension.
     #[inline]
     pub fn at_given(&self, pull: [f64; 3], controlled_length: f64) -> ([f64; 3], f64) {
         let scale_of_length = self.recording.length_scale;
@@ -293,7 +296,7 @@ impl CableState {
         (pull, scale_of_length * (controlled_length + self.controlled_length_by_tension * more))
     }
 
-    /// [`CableState::at_given`] of the platform anchor's motion along a direction (world).
+    /// [`CableState::at_given`] for a motion of the platform anchor along a direction (world).
     #[inline]
     pub fn by_anchor(&self, direction: [f64; 3]) -> ([f64; 3], f64) {
         let pull = rotate(&self.tangent_at_tension, direction);

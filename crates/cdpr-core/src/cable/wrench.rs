@@ -1,4 +1,4 @@
-//! Wrench of a cable on its platform and its derivative by the pose, for numbers, dual numbers and lanes.
+//! Wrench of a cable on its platform and its derivative by the pose, for plain numbers, dual numbers and lanes.
 
 use crate::scalar::{Real, add, cross, rotate, scale};
 
@@ -12,7 +12,7 @@ pub struct CableEnd<T> {
 }
 
 impl<T: Real> CableEnd<T> {
-    /// End at the platform anchor b_P (platform frame, m) of a platform at this position, R given by rows.
+    /// End at the platform anchor b_P (platform frame, m) of a platform at this position (world, m), R given by rows.
     #[inline(always)]
     pub fn at(position: [T; 3], rotation: &[[T; 3]; 3], platform_anchor: [T; 3]) -> Self {
         let moment_arm = rotate(rotation, platform_anchor);
@@ -27,14 +27,14 @@ impl<T: Real> CableEnd<T> {
     }
 }
 
-/// An end that is the platform origin.
+/// An end at the platform origin.
 impl From<[f64; 3]> for CableEnd<f64> {
     fn from(anchor: [f64; 3]) -> Self {
         Self { anchor, moment_arm: [0.0; 3] }
     }
 }
 
-/// \[t; b × t\] of a pull t at the moment arm b: of a unit pull the column of the structure matrix.
+/// Wrench \[t; b × t\] of a pull t at the moment arm b; for a unit pull, the column of the structure matrix.
 #[inline(always)]
 pub fn wrench<T: Real>(moment_arm: [T; 3], pull: [T; 3]) -> [T; 6] {
     let moment = cross(moment_arm, pull);
@@ -55,9 +55,11 @@ pub fn turned_row<T: Real>(columns: &[[T; 3]; 3], moment_arm: [T; 3], row: usize
     cross(moment_arm, [columns[0][row], columns[1][row], columns[2][row]])
 }
 
-/// ∂\[t; b × t\]/∂\[δr; δφ\] by rows, for a pull t with ∂t/∂p_B = M given by rows: p_B moves by δr + δφ × b, and the moment arm turns.
+/// ∂\[t; b × t\]/∂\[δr; δφ\] by rows, for a pull t with ∂t/∂p_B = M given by rows: p_B moves by δr + δφ × b, and the
+/// moment arm turns.
 ///
-/// At constant tension it is the cable's share of K_G; of a unit pull, minus its symmetric part is ∂²q/∂\[δr; δφ\]².
+/// At constant tension it is the cable's contribution to K_G; for a unit pull, minus its symmetric part is ∂²q/∂\[δr;
+/// δφ\]².
 #[inline(always)]
 pub fn wrench_by_pose<T: Real>(tangent: &[[T; 3]; 3], moment_arm: [T; 3], pull: [T; 3]) -> [[T; 6]; 6] {
     let columns = moment_columns(tangent, moment_arm);

@@ -1,4 +1,4 @@
-//! Rates of the angles of a pose and its angular velocity (eq. 2.45, 2.46).
+//! Angular velocity of the platform from the rates of the pose's angles, and back (eq. 2.45, 2.46).
 
 use nalgebra::{Matrix3, Vector3};
 
@@ -7,12 +7,12 @@ use num_traits::Float as _;
 
 use super::Pose;
 
-/// |cos φy| below which the axes of φx and φz count as one, where [`Pose::xyz_angles`] leaves φz at 0 too.
+/// Value of |cos φy| below which the axes of φx and φz count as parallel; [`Pose::xyz_angles`] sets φz to 0 there too.
 const GIMBAL_LOCK: f64 = 1.5e-7;
 
 impl Pose {
-    /// J_P = \[e_x, Rx e_y, Rx Ry e_z\] at the angles φ of [`Pose::from_xyz_angles`] (rad): ω = J_P φ̇, a small turn δφ of the platform = J_P times a
-    /// change of the angles (world axes, 3×3, dimensionless; eq. 2.45, 2.46).
+    /// J_P = \[e_x, Rx e_y, Rx Ry e_z\] at the angles φ of [`Pose::from_xyz_angles`] (rad): ω = J_P φ̇, a small turn δφ
+    /// of the platform = J_P times a change of the angles (world axes, 3×3, dimensionless; eq. 2.45, 2.46).
     ///
     /// Its determinant is cos φy: at φy = ±π/2 no change of the angles turns about e_x × Rx e_y.
     pub fn xyz_angle_jacobian(angles: [f64; 3]) -> Matrix3<f64> {
@@ -22,10 +22,10 @@ impl Pose {
 
     /// J_P⁻¹, from ω to the rates of the angles (3×3, dimensionless): φ̇ = J_P⁻¹ ω.
     ///
-    /// `None` where the axes of φx and φz are parallel (φy = ±π/2, gimbal lock to 1e-7 rad).
+    /// `None` if the axes of φx and φz are parallel (φy = ±π/2, gimbal lock to 1e-7 rad).
     pub fn xyz_angle_jacobian_inverse(angles: [f64; 3]) -> Option<Matrix3<f64>> {
         let ((sx, cx), (sy, cy)) = (angles[0].sin_cos(), angles[1].sin_cos());
-        // written so that NaN has none either
+        // written so that NaN gives `None` too
         (cy.abs() > GIMBAL_LOCK).then(|| {
             let (along_y, along_z) = (-sx / cy, cx / cy);
             Matrix3::new(1.0, -sy * along_y, -sy * along_z, 0.0, cx, sx, 0.0, along_y, along_z)
@@ -83,7 +83,7 @@ mod tests {
             prop_assert!((jacobian.determinant() - angles[1].cos()).abs() < 1e-14);
         }
 
-        /// Rounding grows with the inverse, 1/cos φy.
+        /// Rounding grows with the inverse Jacobian, as 1/cos φy.
         #[test]
         fn rates_and_angular_velocity_lead_to_each_other(angles in [-PI..PI, -1.57..1.57_f64, -PI..PI]) {
             let inverse = Pose::xyz_angle_jacobian_inverse(angles).unwrap();

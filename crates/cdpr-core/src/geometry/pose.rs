@@ -7,7 +7,7 @@ use num_traits::Float as _;
 
 use super::Twist;
 
-/// Numbers of a pose: position x, y, z, then the quaternion x, y, z, w.
+/// Count of the numbers of a pose: position x, y, z, then the quaternion x, y, z, w.
 pub const POSE_ROWS: usize = 7;
 
 /// Position and orientation of the platform frame in the world frame.
@@ -19,7 +19,7 @@ pub struct Pose {
     pub rotation: UnitQuaternion<f64>,
 }
 
-/// Rotation about a unit vector: [`UnitQuaternion::new`] to the bit, without its exponential of 0.
+/// Rotation about a unit vector: the bits of [`UnitQuaternion::new`], without its exponential of 0.
 fn about(axis: Vector3<f64>, angle: f64) -> UnitQuaternion<f64> {
     let half = axis * angle / 2.0;
     let square = half.norm_squared();
@@ -31,7 +31,7 @@ fn about(axis: Vector3<f64>, angle: f64) -> UnitQuaternion<f64> {
 }
 
 impl Pose {
-    /// The platform frame on the world frame.
+    /// Pose of a platform frame that coincides with the world frame.
     #[inline]
     pub fn identity() -> Self {
         Self { position: Vector3::zeros(), rotation: UnitQuaternion::identity() }
@@ -70,7 +70,7 @@ impl Pose {
         [0, 1, 2].map(|row| [m[(row, 0)], m[(row, 1)], m[(row, 2)]])
     }
 
-    /// Position x, y, z, then the quaternion x, y, z, w.
+    /// Position x, y, z (m), then the quaternion x, y, z, w.
     #[inline]
     pub fn numbers(&self) -> [f64; POSE_ROWS] {
         let (r, q) = (&self.position, &self.rotation.coords);

@@ -4,7 +4,7 @@ use super::Select;
 
 /// π/4 with its last 13 bits cut off, so that its product with a whole number up to 8 is exact.
 const EIGHTH_TURN_HIGH: f64 = 0.785_398_163_397_076_1;
-/// Rest of π/4 beyond [`EIGHTH_TURN_HIGH`].
+/// Remainder of π/4 beyond [`EIGHTH_TURN_HIGH`].
 const EIGHTH_TURN_LOW: f64 = 3.721_773_740_243_311_6e-13;
 
 /// Polynomial P with atan(t) = t + t³ P(t²) for |t| ≤ 1/2, lowest power first; relative error of atan below 1e-17
@@ -26,8 +26,8 @@ const ATAN: [f64; 12] = [
 
 /// Angle of the vector (`x`, `y`), counted from the first axis, in [0, 2π) (rad).
 ///
-/// The vector (0, 0) has the angle 0; NaN in either gives NaN, and so do two infinities. Magnitudes beyond 8e307
-/// are not served: their sum overflows.
+/// The vector (0, 0) has the angle 0; NaN in either component gives NaN, and so do two infinities. Magnitudes beyond
+/// 8e307 are not supported: their sum overflows.
 #[inline(always)]
 pub(super) fn full_angle<T: Select>(y: T, x: T) -> T {
     let (zero, one, two) = (y.constant(0.0), y.constant(1.0), y.constant(2.0));
@@ -43,7 +43,8 @@ pub(super) fn full_angle<T: Select>(y: T, x: T) -> T {
     let above = (low - high).select(far, low);
     let under = (low + high).select(far, high);
 
-    // Unfold: the angle is `eighths` π/4 + atan(t), each mirroring reverses both. The signs are known before the quotient.
+    // Unfold: the angle is `eighths` π/4 + atan(t), and each mirroring reverses both. The signs are known before the
+    // quotient.
     let eighths = one.select(far, zero);
     let (eighths, above) = ((two - eighths).select(steep, eighths), (-above).select(steep, above));
     let left = x.is_less(zero);
@@ -78,7 +79,7 @@ mod tests {
 
     use crate::scalar::Real;
 
-    /// How many representable numbers lie between `full_angle` and the standard library's angle brought to [0, 2π).
+    /// Count of representable numbers between `full_angle` and the standard library's angle brought to [0, 2π).
     fn distance(y: f64, x: f64) -> u64 {
         let angle = y.full_angle(x);
         let standard = y.atan2(x);

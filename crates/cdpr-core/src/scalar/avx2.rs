@@ -8,9 +8,9 @@ use pulp::{NullaryFnOnce, f64x4, m64x4};
 use super::angle::full_angle;
 use super::{Kernel, LANES, Lanes, Real, Select};
 
-/// Eight numbers in two AVX2 registers; exists only on machines that have the unit.
+/// Eight numbers in two AVX2 registers; exists only on machines with AVX2.
 ///
-/// Aligned: what does not fit into registers lies on the stack without straddling two cache lines.
+/// Aligned, so that values spilled to the stack do not straddle two cache lines.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(32))]
 pub struct Avx2 {
@@ -18,7 +18,7 @@ pub struct Avx2 {
     halves: [f64x4; 2],
 }
 
-/// A kernel with the proof of its unit. A closure would do, but closures cannot be told to inline.
+/// A kernel with the proof that the machine has AVX2. A struct, since a closure cannot be marked for inlining.
 struct OnUnit<K> {
     token: V3,
     kernel: K,
@@ -33,14 +33,14 @@ impl<K: Kernel> NullaryFnOnce for OnUnit<K> {
     }
 }
 
-/// Runs a kernel on the unit.
+/// Runs a kernel with AVX2.
 #[inline(always)]
 pub(super) fn on_avx2<K: Kernel>(token: V3, kernel: K) -> K::Output {
     token.vectorize(OnUnit { token, kernel })
 }
 
 impl Avx2 {
-    /// Zeros; the token proves that the machine has the unit.
+    /// Zeros; the token proves that the machine has AVX2.
     #[inline(always)]
     pub(super) fn new(token: V3) -> Self {
         Self { token, halves: [token.splat_f64x4(0.0); 2] }
@@ -188,7 +188,7 @@ impl Lanes for Avx2 {
 pub(super) fn sums_of_halves(token: V3, four: [[f64x4; 2]; 4]) -> [f64; 4] {
     let [[a, b], [c, d], [e, f], [g, h]] = four;
     let avx = token.avx;
-    // neighbours added: sums 0 and 1 take turns in `first`, 2 and 3 in `second`
+    // adds neighbours: sums 0 and 1 alternate in `first`, 2 and 3 in `second`
     let first = avx._mm256_hadd_pd(pulp::cast(token.add_f64x4(a, b)), pulp::cast(token.add_f64x4(c, d)));
     let second = avx._mm256_hadd_pd(pulp::cast(token.add_f64x4(e, f)), pulp::cast(token.add_f64x4(g, h)));
     let low = avx._mm256_permute2f128_pd::<0x20>(first, second);

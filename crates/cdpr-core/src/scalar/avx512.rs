@@ -9,9 +9,9 @@ use super::angle::full_angle;
 use super::avx2::sums_of_halves;
 use super::{Kernel, LANES, Lanes, Real, Select};
 
-/// Eight numbers in one AVX-512 register; exists only on machines that have the unit.
+/// Eight numbers in one AVX-512 register; exists only on machines with AVX-512.
 ///
-/// Aligned: what does not fit into registers lies on the stack on a cache line of its own.
+/// Aligned, so that a value spilled to the stack has a cache line of its own.
 #[derive(Clone, Copy, Debug)]
 #[repr(align(64))]
 pub struct Avx512 {
@@ -19,7 +19,7 @@ pub struct Avx512 {
     value: f64x8,
 }
 
-/// A kernel with the proof of its unit. A closure would do, but closures cannot be told to inline.
+/// A kernel with the proof that the machine has AVX-512. A struct, since a closure cannot be marked for inlining.
 struct OnUnit<K> {
     token: V4,
     kernel: K,
@@ -34,14 +34,14 @@ impl<K: Kernel> NullaryFnOnce for OnUnit<K> {
     }
 }
 
-/// Runs a kernel on the unit.
+/// Runs a kernel with AVX-512.
 #[inline(always)]
 pub(super) fn on_avx512<K: Kernel>(token: V4, kernel: K) -> K::Output {
     token.vectorize(OnUnit { token, kernel })
 }
 
 impl Avx512 {
-    /// Zeros; the token proves that the machine has the unit.
+    /// Zeros; the token proves that the machine has AVX-512.
     #[inline(always)]
     pub(super) fn new(token: V4) -> Self {
         Self { token, value: token.splat_f64x8(0.0) }

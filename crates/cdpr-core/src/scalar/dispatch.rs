@@ -1,4 +1,4 @@
-//! Running a computation on the widest vector unit of the machine, found at run time.
+//! Runs a computation on the widest vector unit of the machine, found at run time.
 
 use core::sync::atomic::{AtomicU8, Ordering};
 
@@ -10,13 +10,13 @@ use super::portable::Portable;
 #[cfg(all(feature = "vectors", target_arch = "x86_64"))]
 use super::{avx2::on_avx2, avx512::on_avx512};
 
-/// The widest unit that may be used, as a number in the order of [`Unit`].
+/// The widest unit that may be used, by its index in the order of [`Unit`].
 static WIDEST: AtomicU8 = AtomicU8::new(Unit::Avx512 as u8);
 
 /// A vector unit that a [`Kernel`] can run on.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Unit {
-    /// Arrays, for the vector instructions that every machine of the target has.
+    /// Arrays, compiled for the vector instructions of every machine of the target.
     Portable,
     /// Two registers of four numbers (x86-64).
     Avx2,
@@ -25,13 +25,13 @@ pub enum Unit {
 }
 
 impl Unit {
-    /// The units of this machine, narrowest first.
+    /// The units of this machine that may be used, narrowest first.
     #[inline]
     pub fn available() -> impl Iterator<Item = Self> {
         [Self::Portable, Self::Avx2, Self::Avx512].into_iter().filter(|unit| unit.is_available())
     }
 
-    /// The widest unit of this machine.
+    /// The widest unit of this machine that may be used.
     #[inline]
     pub fn widest() -> Self {
         match (Self::Avx512.is_available(), Self::Avx2.is_available()) {
@@ -41,8 +41,8 @@ impl Unit {
         }
     }
 
-    /// From now on this process uses no wider unit, as on a machine that has none: to measure it, or to rule a unit out. Results do not
-    /// depend on it.
+    /// Limits this process to units up to `widest`, as on a machine without wider ones, for measurements or to rule a
+    /// unit out. Results do not depend on it.
     pub fn limit(widest: Self) {
         WIDEST.store(widest as u8, Ordering::Relaxed);
     }
@@ -53,7 +53,7 @@ impl Unit {
         WIDEST.load(Ordering::Relaxed) >= self as u8
     }
 
-    /// Whether this machine has the unit, and no [limit](Unit::limit) rules it out.
+    /// True if this machine has the unit and no [limit](Unit::limit) rules it out.
     #[inline]
     pub fn is_available(self) -> bool {
         match self {

@@ -1,4 +1,4 @@
-//! Dual numbers of num-dual: exact derivatives of every formula, by which analytic ones are tested.
+//! Dual numbers of num-dual: exact derivatives of every formula, against which analytic derivatives are tested.
 
 use super::{Real, Select, Smooth};
 

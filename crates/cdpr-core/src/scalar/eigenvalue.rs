@@ -3,7 +3,7 @@
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
 
-/// The largest magnitude among some numbers, 1 where all are zero; `None` when one is not finite.
+/// The largest magnitude among some numbers, 1 if all are zero or subnormal; `None` if one is not finite.
 pub fn magnitude<'a>(numbers: impl IntoIterator<Item = &'a f64>) -> Option<f64> {
     let mut largest = 0.0_f64;
     for number in numbers {
@@ -15,11 +15,11 @@ pub fn magnitude<'a>(numbers: impl IntoIterator<Item = &'a f64>) -> Option<f64> 
     // dividing by a subnormal number overflows
     Some(if largest < f64::MIN_POSITIVE { 1.0 } else { largest })
 }
-/// The smallest eigenvalue of a small symmetric matrix, of which the lower triangle is read, without allocation; NaN where a
-/// number is not finite. Right to about 1e-14 of the largest entry.
+/// The smallest eigenvalue of a small symmetric matrix (lower triangle read), without allocation; NaN if an entry is
+/// not finite. Accurate to about 1e-14 of the largest entry.
 ///
-/// Householder reflections make the matrix tridiagonal; Laguerre's iteration on its characteristic polynomial, whose roots are
-/// all real, then climbs from a bound below all eigenvalues to the first one and cannot pass it.
+/// Householder reflections make the matrix tridiagonal; Laguerre's iteration on its characteristic polynomial, whose
+/// roots are all real, then climbs from a bound below all eigenvalues to the first one and cannot pass it.
 pub fn smallest_eigenvalue_of<const N: usize>(mut matrix: [[f64; N]; N]) -> f64 {
     let lower = (0..N).flat_map(|row| &matrix[row][..=row]);
     let Some(scale) = magnitude(lower) else { return f64::NAN };
@@ -44,7 +44,7 @@ pub fn smallest_eigenvalue_of<const N: usize>(mut matrix: [[f64; N]; N]) -> f64 
     value * scale
 }
 
-/// Diagonal and squared entries beside it (the first of them unused) of a similar tridiagonal matrix.
+/// Diagonal and squared off-diagonal entries (the first of them unused) of a similar tridiagonal matrix.
 fn tridiagonal<const N: usize>(mut matrix: [[f64; N]; N]) -> ([f64; N], [f64; N]) {
     let (mut diagonal, mut squares) = ([0.0; N], [0.0; N]);
     for column in 0..N {
@@ -79,9 +79,9 @@ fn tridiagonal<const N: usize>(mut matrix: [[f64; N]; N]) -> ([f64; N], [f64; N]
     (diagonal, squares)
 }
 
-/// Laguerre's step from below the smallest root of det(T − λ) towards it; `None` at a root, and where rounding hides it.
+/// Laguerre's step from below the smallest root of det(T − λ) towards it; `None` at a root, or if rounding hides it.
 fn laguerre_step<const N: usize>(diagonal: &[f64; N], squares: &[f64; N], value: f64) -> Option<f64> {
-    // the determinant of the leading part, with its first two derivatives by λ, and those of the part before it
+    // the determinant of the leading block with its first two derivatives by λ, and the same for the block before it
     let (mut now, mut before) = ([1.0, 0.0, 0.0], [0.0; 3]);
     for row in 0..N {
         let entry = diagonal[row] - value;
@@ -111,7 +111,7 @@ mod tests {
 
     use super::*;
 
-    /// Against nalgebra's eigenvalues: random ones, clusters, multiples, diagonal and rank-deficient matrices.
+    /// Against nalgebra's eigenvalues: random, clustered, multiple, diagonal and rank-deficient matrices.
     #[test]
     fn the_smallest_eigenvalue_of_small_matrices_is_that_of_the_library() {
         fn compare<const N: usize>(matrix: [[f64; N]; N]) {

@@ -2,20 +2,20 @@
 
 use super::select::Select;
 
-/// How many numbers a [`Lanes`] type holds, on every machine.
+/// Count of numbers that a [`Lanes`] type holds, on every machine.
 pub const LANES: usize = 8;
 
-/// Eight numbers that are computed at once, on the widest vector unit of the machine.
+/// Eight numbers computed at once, on the widest vector unit of the machine.
 ///
-/// The types differ in the unit only: each operation gives the same bits on all of them and on `f64`.
+/// The types differ only in the vector unit: each operation gives the same bits on all of them and on `f64`.
 pub trait Lanes: Select {
-    /// The first eight entries of `source`; panics when it has fewer.
+    /// The first eight entries of `source`; panics if it has fewer.
     fn load(self, source: &[f64]) -> Self;
 
     /// The eight numbers.
     fn to_array(self) -> [f64; LANES];
 
-    /// Writes the eight numbers to the front of `target`; panics when it is shorter.
+    /// Writes the eight numbers to the front of `target`; panics if it is shorter.
     #[inline(always)]
     fn store(self, target: &mut [f64]) {
         target[..LANES].copy_from_slice(&self.to_array());
@@ -28,7 +28,7 @@ pub trait Lanes: Select {
         ((a[0] + a[4]) + (a[1] + a[5])) + ((a[2] + a[6]) + (a[3] + a[7]))
     }
 
-    /// The sums of four at once, each with the bits of [`Lanes::sum`] and all for little more than the price of one.
+    /// The sums of four values at once, each with the bits of [`Lanes::sum`], for little more than the cost of one.
     #[inline(always)]
     fn sums(four: [Self; 4]) -> [f64; 4] {
         [four[0].sum(), four[1].sum(), four[2].sum(), four[3].sum()]
@@ -51,18 +51,18 @@ pub trait Lanes: Select {
         transposed
     }
 
-    /// Runs a part of a kernel as a function of its own on the same vector unit. What several kernels share is compiled
-    /// once for each unit instead of once for each place; a call costs a few nanoseconds.
+    /// Runs a part of a kernel as a function of its own on the same vector unit. Code shared by several kernels is then
+    /// compiled once for each unit instead of once for each call site; a call costs a few nanoseconds.
     fn apart<K: Kernel>(self, part: K) -> K::Output;
 }
 
 /// A computation over [`Lanes`]: its inputs are its fields, so that it can be handed to any vector unit.
 ///
-/// `run` and every function below it that takes, gives or holds lanes must be `#[inline(always)]`, otherwise every
+/// `run` and every function below it that takes, returns or holds lanes must be `#[inline(always)]`, otherwise every
 /// operation becomes a call (thirty times slower); functions of single numbers need not. Closures cannot be marked so:
-/// write loops, and keep operations on lanes out of `map`, `array::from_fn` and the like. Go through arrays of lanes by
-/// index or by reference: taken by value, each entry is an `Option` in memory for a moment, written and read back in
-/// pieces (five times slower).
+/// write loops, and keep operations on lanes out of `map`, `array::from_fn` and the like. Read arrays of lanes by index
+/// or by reference: taken by value, each entry becomes an `Option` in memory, written and read back in pieces (five
+/// times slower).
 ///
 /// ```
 /// use cdpr_core::scalar::{Kernel, LANES, Lanes, Real, dispatch};
@@ -94,7 +94,7 @@ pub trait Kernel {
     /// Type of the result.
     type Output;
 
-    /// The computation; `lanes` is the source of further numbers (`constant`, `load`), its value does not matter.
+    /// The computation; `lanes` is the source of further numbers (`constant`, `load`), and its value does not matter.
     fn run<L: Lanes>(self, lanes: L) -> Self::Output;
 }
 

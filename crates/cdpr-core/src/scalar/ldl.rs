@@ -5,13 +5,13 @@ use super::{Lanes, Real};
 /// Solves `matrix · x = right` in place for a symmetric positive definite matrix (lower triangle read, destroyed).
 ///
 /// Returns the smallest ratio of a pivot to its own diagonal entry, 1 for orthogonal unknowns and near 0 for dependent
-/// ones; `None` when a pivot is not positive, with `right` spoilt.
+/// ones; `None` if a pivot is not positive, and `right` is then destroyed.
 #[inline(always)]
 pub fn solve<const N: usize>(matrix: &mut [[f64; N]; N], right: &mut [f64; N]) -> Option<f64> {
     solve_leading(N, matrix, right)
 }
 
-/// [`solve`] of the leading `n` unknowns, with its bits.
+/// [`solve`] for the leading `n` unknowns, with the same bits.
 #[inline(always)]
 pub fn solve_leading<const N: usize>(n: usize, matrix: &mut [[f64; N]; N], right: &mut [f64; N]) -> Option<f64> {
     let mut smallest = 1.0_f64;
@@ -47,8 +47,8 @@ pub fn solve_leading<const N: usize>(n: usize, matrix: &mut [[f64; N]; N], right
 /// Smallest ratio of a pivot to its own diagonal entry that counts as regular in lanes.
 const REGULAR: f64 = 1e-11;
 
-/// [`solve`] for eight systems of `n` unknowns at once, with its bits: 1 where every pivot is far from zero, 0 where the single
-/// system must be asked. Their number is not the compiler's: unrolled, lanes are more code than they are worth.
+/// [`solve`] for eight systems of `n` unknowns at once, with the same bits: 1 where every pivot is far from zero, 0
+/// where the single system must be solved to decide. `n` is no constant: loops unrolled over lanes are too much code.
 #[inline(always)]
 pub fn solve_in_lanes<L: Lanes, const N: usize>(n: usize, matrix: &mut [[L; N]; N], right: &mut [L; N]) -> L {
     let (is_regular, inverse_pivot) = factorize_in_lanes(n, matrix);
@@ -56,7 +56,8 @@ pub fn solve_in_lanes<L: Lanes, const N: usize>(n: usize, matrix: &mut [[L; N]; 
     is_regular
 }
 
-/// Replaces the lower triangles of eight matrices by their factors: what [`solve_in_lanes`] answers, and the inverse pivots.
+/// Replaces the lower triangles of eight matrices by their factors; returns the result of [`solve_in_lanes`] and the
+/// inverse pivots.
 #[inline(always)]
 pub fn factorize_in_lanes<L: Lanes, const N: usize>(n: usize, matrix: &mut [[L; N]; N]) -> (L, [L; N]) {
     let (zero, one) = (matrix[0][0].constant(0.0), matrix[0][0].constant(1.0));

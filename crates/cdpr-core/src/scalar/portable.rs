@@ -1,6 +1,6 @@
 //! Eight lanes in four pairs, for the vector instructions that every machine of the target has.
 //!
-//! Pairs, not an array: an array's operations are loops, which the compiler would unroll again at every place.
+//! Pairs, not an array: operations on an array are loops, which the compiler would unroll at every call site.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
@@ -14,7 +14,7 @@ use super::{Kernel, LANES, Lanes, Real, Select};
 pub struct Portable([f64x2; LANES / 2]);
 
 impl Portable {
-    /// These eight numbers.
+    /// Lanes that hold these eight numbers.
     #[inline(always)]
     pub fn new(numbers: [f64; LANES]) -> Self {
         Self(bytemuck::cast(numbers))
@@ -70,7 +70,7 @@ impl Real for Portable {
 }
 
 impl Select for Portable {
-    /// All bits set where the statement holds, none elsewhere.
+    /// All bits set in lanes where the statement holds, none elsewhere.
     type Mask = [f64x2; LANES / 2];
 
     #[inline(always)]

@@ -1,10 +1,10 @@
-//! The number of every formula.
+//! The number type of every formula.
 
 use core::ops::{Add, Div, Mul, Neg, Sub};
 
 /// A number that cable geometry can be computed with.
 ///
-/// There is no fused multiply-add on purpose: every width then gives the same bits.
+/// There is no fused multiply-add, so that every width gives the same bits.
 pub trait Real:
     Copy + Add<Output = Self> + Sub<Output = Self> + Mul<Output = Self> + Div<Output = Self> + Neg<Output = Self>
 {

@@ -1,10 +1,10 @@
-//! Cases without branches: a formula with cases chooses lane by lane, so that it serves every width with the same bits.
+//! Cases without branches: a formula with cases chooses lane by lane, so that it gives the same bits at every width.
 
 use super::Real;
 
 /// A [`Real`] that can choose between two values lane by lane.
 pub trait Select: Real {
-    /// Which lanes a statement holds in.
+    /// Set of lanes in which a statement holds.
     type Mask: Copy;
 
     /// Mask of the lanes with `self < other`; false where either is NaN.
@@ -13,13 +13,13 @@ pub trait Select: Real {
     /// `self` where the mask holds, `otherwise` elsewhere.
     fn select(self, mask: Self::Mask, otherwise: Self) -> Self;
 
-    /// Whether the mask holds in any lane (the value of `self` does not matter, here and in the next three).
+    /// True if the mask holds in any lane (the value of `self` does not matter, here and in the next three).
     fn any(self, mask: Self::Mask) -> bool;
 
     /// Lanes in which both hold.
     fn both(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
 
-    /// Lanes in which one of them holds.
+    /// Lanes in which at least one of them holds.
     fn either(self, a: Self::Mask, b: Self::Mask) -> Self::Mask;
 
     /// Lanes in which the first holds without the second.

@@ -1,11 +1,11 @@
-//! Numbers through which a smooth function of one variable can be put.
+//! Numbers to which a smooth function of one variable can be applied.
 
 use super::Real;
 
 /// A number with a value and, for dual numbers, derivatives that follow the chain rule.
 ///
-/// Functions that are worked out for plain numbers, with their derivative, serve every such type: series, inverses found by
-/// iteration, tables.
+/// Functions that are computed for plain numbers together with their derivative serve every such type: series, inverses
+/// found by iteration, tables.
 pub trait Smooth: Real {
     /// The plain number.
     fn value(self) -> f64;

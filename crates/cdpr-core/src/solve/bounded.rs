@@ -1,12 +1,12 @@
-//! Steps of least squares that respect bounds.
+//! Steps of least squares within bounds.
 
-/// Ways from here to the lower and the upper bound of each unknown.
+/// Signed distances from the value of each unknown to its lower and to its upper bound.
 pub type Room = (f64, f64);
 
-/// Solves for the step of the unknowns that no bound holds: `solve` gives that of the others, with zeros for those held.
+/// Solves for the step of the unknowns that no bound holds: `solve` gives their step, with zeros for the held ones.
 ///
-/// An unknown on a bound that the gradient pushes outwards stays there; one whose step would leave it is held too. Other bounds are
-/// met by [`clamped`] or [`stopped`].
+/// An unknown on a bound that the gradient pushes outwards is held; so is one on a bound that its step would leave.
+/// Bounds met further away are left to [`clamped`] or [`stopped`]. `None` if `solve` returns `None`.
 #[inline]
 pub fn bounded_step(
     gradient: impl Fn(usize) -> f64,
@@ -30,7 +30,7 @@ pub fn bounded_step(
     }
 }
 
-/// Ends each unknown at the bound that it meets: far, but no descent to first order.
+/// Ends each unknown at the bound that it meets: a long step, but not necessarily a descent to first order.
 #[inline]
 pub fn clamped(room: &[Room], step: &mut [f64]) {
     for k in 0..step.len() {
@@ -38,7 +38,7 @@ pub fn clamped(room: &[Room], step: &mut [f64]) {
     }
 }
 
-/// Ends the step at the first bound that it meets: a descent, if the step is one. Whether there is such a bound.
+/// Shortens the step to the first bound that it meets: a descent if the step is one. Returns true if it meets a bound.
 pub fn stopped(room: &[Room], step: &mut [f64]) -> bool {
     let step_fraction = |(step, room): (&f64, &Room)| match *step {
         0.0 => f64::INFINITY,

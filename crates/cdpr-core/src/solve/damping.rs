@@ -1,17 +1,17 @@
-//! Growth and decay of damping, in units of the diagonal that it is added to.
+//! Growth and decay of damping, in units of the diagonal to which it is added.
 
 use crate::scalar::Select;
 
-/// Damping after a plain step that did not help: as much as changes a step by a thousandth, so that ten times more, tried
-/// next, costs few trials until steps are shorter by half.
+/// Damping after an undamped step that did not help: it changes a step by a thousandth, so that raising it tenfold,
+/// trial by trial, needs few trials until steps are half as long.
 const AFTER_FAILURE: f64 = 1e-3;
-/// Damping of equations without a solution: far above rounding (1e-16), too small to slow the directions that are determined.
+/// Damping of singular equations: far above rounding (1e-16), too small to slow the directions that are determined.
 pub const OF_SINGULAR: f64 = 1e-9;
-/// Factor from one damping to the next, after failure upwards and after success downwards.
+/// Factor between one damping and the next, up after failure and down after success.
 const FACTOR: f64 = 10.0;
-/// Below this a step is Newton's to nine digits: no damping at all makes it exact.
+/// Damping below which a step is Newton's to nine digits; it is then set to 0, which makes the step exact.
 const NONE_BELOW: f64 = 1e-9;
-/// Above this a step moves less than rounding does.
+/// Damping above which a step is smaller than rounding.
 const MOST: f64 = 1e12;
 
 /// Damping after a step that helped.
@@ -31,7 +31,7 @@ pub(super) fn raised<N: Select>(damping: N) -> N {
     (damping * damping.constant(FACTOR)).max(damping.constant(AFTER_FAILURE))
 }
 
-/// Damping where the equations have no solution.
+/// Damping after equations without a solution.
 #[inline(always)]
 pub(super) fn regularised<N: Select>(damping: N) -> N {
     (damping * damping.constant(FACTOR)).max(damping.constant(OF_SINGULAR))
@@ -43,7 +43,7 @@ pub(super) fn is_felt<N: Select>(damping: N) -> N::Mask {
     damping.constant(OF_SINGULAR).is_less(damping)
 }
 
-/// Lanes in which more damping is no use.
+/// Lanes in which more damping cannot help.
 #[inline(always)]
 pub(super) fn is_exhausted<N: Select>(damping: N) -> N::Mask {
     damping.constant(MOST).is_less(damping)

@@ -1,20 +1,20 @@
-//! The loop.
+//! The loop shared by all searches.
 
 use super::convergence::{left, settles};
 use super::damping::{is_exhausted, is_felt, lowered, raised, regularised};
 use super::{Control, DescentEnd, HIDDEN_GAIN, Mask, Problem, Rules, Step, StepRule, Stop, Trial};
 use crate::scalar::{Real, Select};
 
-/// Share of a step below which its direction is no use.
+/// Fraction of a step below which its direction is given up.
 const LEAST_FRACTION: f64 = 1e-8;
 
-/// Times that the gain of a step that nobody tries may be larger than the rate of the steps before it says.
+/// Factor by which the gain of an untried step may exceed the gain that the rate of earlier steps predicts.
 const UNSURE: f64 = 100.0;
 
-/// Steps from the start, which the problem holds as its first trial, until they are small or no use.
+/// Takes steps from the start, which is the problem's first trial, until they are small or no longer help.
 ///
-/// The start is a trial like all others, so that an evaluation is compiled once; everything here is inlined into its caller, where
-/// the rule is a constant.
+/// The start is a trial like all others, so that an evaluation is compiled once; everything here is inlined into its
+/// caller, where the rule is a constant.
 #[inline(always)]
 pub fn descend<P: Problem>(problem: &mut P, rules: &Rules<P::Number>) -> DescentEnd<P::Number> {
     let n = rules.tolerance;
@@ -52,13 +52,13 @@ struct Search<'a, P: Problem> {
     rules: &'a Rules<P::Number>,
     control: Control<P::Number>,
     step: Step<P::Number>,
-    /// Share of the step that is tried.
+    /// Fraction of the step that is tried.
     fraction: P::Number,
-    /// Length of the step as it would be without damping, and that of the step before.
+    /// Length of the step as it would be without damping; `last_reach` is that of the step before.
     reach: P::Number,
     last_reach: P::Number,
     contraction: P::Number,
-    /// Lanes in which the trial, if it helps, is the end.
+    /// Lanes in which the search ends if the trial helps.
     is_last: Mask<P>,
     running: Mask<P>,
     stop: P::Number,
@@ -86,7 +86,7 @@ impl<'a, P: Problem> Search<'a, P> {
         }
     }
 
-    /// Length of the steps left.
+    /// Total length of the steps that remain: the last one, or those that follow it if they shrink.
     #[inline(always)]
     fn left(&self) -> P::Number {
         let (size, rate) = (self.step.size, self.contraction);
@@ -95,7 +95,7 @@ impl<'a, P: Problem> Search<'a, P> {
         behind.select(size.both(is_shorter, rate.is_less(size.constant(0.5))), size)
     }
 
-    /// Ends lanes for a reason.
+    /// Ends the search in these lanes for the reason `stop`.
     #[inline(always)]
     fn end(&mut self, lanes: Mask<P>, stop: Stop) {
         let n = self.stop;
@@ -145,20 +145,20 @@ impl<'a, P: Problem> Search<'a, P> {
         }
     }
 
-    /// Ends the lanes in which only rounding is left.
+    /// Ends the lanes in which only rounding errors remain.
     #[inline(always)]
     fn end_at_rest(&mut self, problem: &mut P, fails: Mask<P>) {
         let rests = problem.rests(self.step.size, self.rules.tolerance);
         self.end(self.stop.both(fails, rests), Stop::Stationary);
     }
 
-    /// A region twice the step where the equations foretold it well, half or a quarter of it where they did not
+    /// Sets the radius to twice the step if the equations predicted it well, to half or a quarter of it if they did not
     /// (Nocedal and Wright 2006, algorithm 4.1).
     #[inline(always)]
     fn resize_region(&mut self, problem: &mut P, outcome: &Trial<P::Number>, helps: Mask<P>, fails: Mask<P>) {
         let n = self.stop;
         let (size, radius) = (self.step.size, self.control.radius);
-        // a gain that rounding hides tells nothing
+        // a gain hidden by rounding is no measure of the prediction
         let is_hidden = self.step.gain.is_less(n.constant(HIDDEN_GAIN));
         let ratio = n.constant(1.0).select(is_hidden, outcome.gain / self.step.gain);
         let wider = (n.constant(2.0) * size).max(radius).select(n.constant(0.75).is_less(ratio), radius);
@@ -173,8 +173,8 @@ impl<'a, P: Problem> Search<'a, P> {
         }
     }
 
-    /// Ends the lanes whose step is taken untried: the one behind it, shorter at this rate, promises a hundred times less than
-    /// what rounding hides.
+    /// Ends the lanes whose step is taken untried: the next step, shorter at this rate, has a predicted gain a hundred
+    /// times below the gain that rounding hides.
     #[inline(always)]
     fn end_ahead(&mut self, rate: P::Number) {
         let n = self.stop;
@@ -186,7 +186,7 @@ impl<'a, P: Problem> Search<'a, P> {
         self.end(lanes, Stop::Stationary);
     }
 
-    /// Takes the next step from where the problem stands, with as much damping as its equations need for a solution.
+    /// Computes the next step from the current iterate, with as much damping as its equations need for a solution.
     #[inline(always)]
     fn take_step(&mut self, problem: &mut P) {
         let n = self.stop;
@@ -207,7 +207,7 @@ impl<'a, P: Problem> Search<'a, P> {
         let is_cut = self.step.is_cut;
         let gains_nothing = n.without(self.step.gain.is_less(n.constant(self.rules.least_gain)), is_cut);
         self.end(n.both(self.running, gains_nothing), Stop::Stationary);
-        // a step that damping made short is no sign that the solution is near, nor is the rate of damped steps
+        // a step shortened by damping is no sign that the solution is near, nor is the rate of damped steps
         self.reach = self.step.size * (n.constant(1.0) + self.control.damping);
         self.contraction = self.reach / self.last_reach;
         let rate = n.constant(f64::INFINITY).select(is_felt(self.control.damping), self.contraction);

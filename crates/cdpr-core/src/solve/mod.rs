@@ -1,7 +1,7 @@
 //! Damped iterations: the one loop under every search for a pose, a cable's state, tensions or parameters.
 //!
-//! A [`Problem`] knows its residual, its equations and its retraction; [`descend`] knows when a step counts, when it must be
-//! shorter and when it was the last. Numbers are those of one problem (`f64`) or of eight side by side
+//! A [`Problem`] supplies its residual, its equations and its retraction; [`descend`] decides when a step counts, when
+//! it must be shorter and when it was the last. Numbers are those of one problem (`f64`) or of eight side by side
 //! ([`Lanes`](crate::scalar::Lanes)): the decisions are the same code, lane by lane.
 
 pub mod bounded;
@@ -17,36 +17,36 @@ pub use descend::descend;
 
 use crate::scalar::Select;
 
-/// Promised share of the cost below which the cost before and after a step do not tell how good the promise was.
+/// Predicted fraction of the cost below which the costs before and after a step are too close to judge the prediction.
 pub const HIDDEN_GAIN: f64 = 1e-10;
-/// Smallest pivot of least squares, beside its diagonal entry, that determines a direction: undamped, others would wander on
-/// rounding errors.
+/// Smallest pivot of least squares, relative to its diagonal entry, that determines a direction; without damping, other
+/// directions would drift with rounding errors.
 pub const REGULAR: f64 = 1e-11;
-/// Share of a cost that its rounding hides.
+/// Fraction of a cost that is hidden by rounding.
 pub const ROUNDING_GAIN: f64 = 1e-13;
 
-/// Equations of a search, with the place where it stands and the place that it tries.
+/// Equations of a search, with its current iterate and its trial.
 pub trait Problem {
     /// `f64` for one problem, lanes for several.
     type Number: Select;
 
-    /// The step from where the search stands, which the next trials take.
+    /// The step from the current iterate, which the next trials take.
     fn step(&mut self, control: &Control<Self::Number>) -> Step<Self::Number>;
 
-    /// Residual and equations after this fraction of the step (at the start before the first step). Equations are not needed
-    /// after a trial that is the last.
+    /// Residual and equations after this fraction of the step (at the start before the first step). Equations are not
+    /// needed after a trial that is the last.
     fn evaluate(&mut self, fraction: Self::Number, is_last: bool) -> Trial<Self::Number>;
 
-    /// Moves on to the trial where the mask holds; the step was this much smaller than the one before it.
+    /// Moves on to the trial in lanes of the mask `helps`; `contraction` is the ratio of the step to the one before it.
     fn accept(&mut self, helps: Mask<Self>, contraction: Self::Number);
 
-    /// Whether the last step is taken though nobody tries it: the search may then end a step earlier.
+    /// True if the last step is taken without a trial: the search may then end a step earlier.
     #[inline]
     fn takes_last_step(&self) -> bool {
         false
     }
 
-    /// Whether a trial that does not help, after a step of this size, leaves nothing but rounding to gain.
+    /// Lanes in which a trial that does not help, after a step of this size, leaves only rounding errors to reduce.
     #[inline(always)]
     fn rests(&mut self, size: Self::Number, tolerance: Self::Number) -> Mask<Self> {
         size.without(size.everywhere(true), tolerance.is_less(size))
@@ -77,16 +77,17 @@ impl Control<f64> {
 pub struct Step<N: Select> {
     /// Length, in the unit of [`Rules::tolerance`].
     pub size: N,
-    /// Share of the cost that the equations promise to remove; infinite where nobody asks.
+    /// Fraction of the cost that the equations predict the step to remove; infinite if it is not needed.
     pub gain: N,
-    /// Lanes in which a region or a bound cut the step: its size and gain do not tell how far the solution is.
+    /// Lanes in which a region or a bound cut the step: its size and gain are then no measure of the distance to the
+    /// solution.
     pub is_cut: N::Mask,
     /// Lanes whose equations have a solution.
     pub is_regular: N::Mask,
 }
 
 impl<N: Select> Step<N> {
-    /// A step that nothing cut, of equations with a solution in these lanes.
+    /// A step that is not cut, with equations that have a solution in these lanes.
     #[inline(always)]
     pub fn whole(size: N, is_regular: N::Mask) -> Self {
         Self { size, gain: size.constant(f64::INFINITY), is_cut: size.everywhere(false), is_regular }
@@ -96,9 +97,9 @@ impl<N: Select> Step<N> {
 /// Outcome of an evaluation.
 #[derive(Clone, Copy, Debug)]
 pub struct Trial<N: Select> {
-    /// Lanes in which the trial is better than the place before.
+    /// Lanes in which the trial is better than the current iterate.
     pub helps: N::Mask,
-    /// Share of the cost that the step removed; infinite where nobody asks.
+    /// Fraction of the cost that the step removed; infinite if it is not needed.
     pub gain: N,
 }
 
@@ -110,20 +111,21 @@ impl<N: Select> Trial<N> {
     }
 }
 
-/// Way in which a step that does not help is made shorter.
+/// Method by which a step that does not help is made shorter.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum StepRule {
-    /// Full Gauss–Newton or Newton steps: the first that does not help, or that shrinks to more than this share of the one
-    /// before, ends the search.
+    /// Full Gauss–Newton or Newton steps: the first that does not help, or whose ratio to the step before exceeds
+    /// `slowest`, ends the search.
     Plain {
         /// Largest contraction of quickly converging steps.
         slowest: f64,
     },
-    /// Levenberg (1944), Marquardt (1963): more damping.
+    /// More damping (Levenberg 1944, Marquardt 1963).
     Damping,
     /// The same direction, half as far; for one problem at a time.
     Shortening,
-    /// A smaller trust region, whose shape is the problem's: dogleg (Powell 1970) or reflective (Branch, Coleman, Li 1999).
+    /// A smaller trust region, with the shape that the problem defines: dogleg (Powell 1970) or reflective (Branch,
+    /// Coleman, Li 1999).
     TrustRegion,
 }
 
@@ -132,9 +134,9 @@ pub enum StepRule {
 pub struct Rules<N> {
     /// Distance from the solution that ends the search, in the problem's own unit of length.
     pub tolerance: N,
-    /// Most steps; one that is tried again, but shorter, counts once.
+    /// Most steps; a step that is tried again at smaller length counts once.
     pub max_iterations: u32,
-    /// A step that promises to remove less than this share of the cost ends the search untried; 0 where nobody asks.
+    /// A step predicted to remove less than this fraction of the cost ends the search untried; 0 turns this off.
     pub least_gain: f64,
     /// Way in which steps are made shorter.
     pub rule: StepRule,
@@ -145,13 +147,14 @@ pub struct Rules<N> {
 pub struct DescentEnd<N> {
     /// A [`Stop`] as a number.
     stop: N,
-    /// Steps, those included that did not help; tried again, but shorter, they count once.
+    /// Count of steps, unsuccessful ones included; a step that is tried again at smaller length counts once.
     pub iterations: N,
     /// Damping of the last step.
     pub damping: N,
-    /// Length of the steps left, as the convergence test takes it: of the last step, or of those behind it where they shrink.
+    /// Total length of the remaining steps by the convergence test: of the last step, or of those after it if they
+    /// shrink.
     pub left: N,
-    /// Share of the cost that the last step promised to remove.
+    /// Fraction of the cost that the last step was predicted to remove.
     pub gain: N,
 }
 
@@ -176,13 +179,13 @@ impl DescentEnd<f64> {
 /// Reason why a search ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stop {
-    /// As many steps as allowed.
+    /// The step limit was reached.
     IterationLimit,
-    /// Remaining steps are within the tolerance.
+    /// The remaining steps are within the tolerance.
     Stationary,
     /// No shorter step helped, though the steps had not become small.
     Stalled,
-    /// The equations have no solution, however much they are damped.
+    /// The equations have no solution at any damping.
     Singular,
     /// The start itself has no residual.
     Degenerate,

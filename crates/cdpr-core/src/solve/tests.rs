@@ -1,15 +1,15 @@
-//! Searches for optima that are known, one and eight at a time.
+//! Searches for known optima, one and eight at a time.
 
 use super::convergence::settles;
 use super::*;
 use crate::scalar::{Kernel, LANES, Lanes, Unit, dispatch_on};
 
-/// Rosenbrock's valley 10 (y − x²), 1 − x: its least squares are 0 at (1, 1).
+/// Rosenbrock's valley 10 (y − x²), 1 − x: the sum of squares is 0 at (1, 1).
 struct Valley<N> {
     here: Place<N>,
     trial: Place<N>,
     step: [N; 2],
-    /// Weight of the second residual: without it (0) a curve of optima.
+    /// Weight of the second residual: at 0 the optima are a curve.
     weight: N,
 }
 
@@ -89,7 +89,7 @@ fn starts() -> [[f64; 2]; LANES] {
     [[-1.2, 1.0], [0.0, 0.0], [2.0, 2.0], [1.0, 1.0], [-0.5, 3.0], [0.9, 0.5], [3.0, -1.0], [1.5, 2.2]]
 }
 
-/// The optimum is known; the cost of the last step is rounding.
+/// The optimum is known; the cost after the last step is rounding.
 #[test]
 fn every_rule_that_can_shorten_steps_finds_the_optimum_from_every_start() {
     for rule in &RULES[1..] {
@@ -103,7 +103,7 @@ fn every_rule_that_can_shorten_steps_finds_the_optimum_from_every_start() {
     }
 }
 
-/// Full steps leave the valley at (−1.2, 1): the second is worse than the start.
+/// Full steps leave the valley from (−1.2, 1): the second is worse than the start.
 #[test]
 fn plain_steps_end_where_one_does_not_help() {
     let mut valley = Valley::new([-1.2, 1.0], 1.0);
@@ -132,7 +132,7 @@ impl Kernel for Eight {
     }
 }
 
-/// Each of eight is independent of the others, by construction of the loop; here it is seen.
+/// Each of the eight is independent of the others, by construction of the loop; this test shows it.
 #[test]
 fn eight_searches_side_by_side_have_the_bits_of_single_ones_on_every_unit() {
     for (rule, weight) in [0, 1, 3].into_iter().flat_map(|rule| [(RULES[rule], 1.0), (RULES[rule], 0.0)]) {
@@ -168,7 +168,7 @@ fn a_start_without_a_residual_and_too_few_steps_are_named() {
     assert_eq!((end.stop(), end.iterations), (Stop::IterationLimit, 3.0));
 }
 
-/// The promise of the test: what a geometric series of steps still has to go is within the tolerance, and no step sooner.
+/// The remaining length of a geometric series of steps is within the tolerance when the test ends, and no step sooner.
 #[test]
 fn the_convergence_test_sums_the_steps_that_remain() {
     for rate in [0.01, 0.1, 0.4, 0.49] {
@@ -179,6 +179,6 @@ fn the_convergence_test_sums_the_steps_that_remain() {
         let remaining = size * rate / (1.0 - rate);
         assert!(remaining <= 1e-6 && remaining > 1e-6 * rate, "{rate}: {remaining:e}");
     }
-    // slow steps are no sign of convergence, however short; negligible ones are the end
+    // slow steps are no sign of convergence at any length; negligible ones are the end
     assert!(!settles(1e-7, 0.9, 1e-6) && settles(1e-10, 0.9, 1e-6) && !settles(f64::NAN, f64::NAN, 1e-6));
 }

@@ -12,11 +12,11 @@ pub struct CablePathInLanes<L> {
     pub path: CablePath<L>,
     /// b = R b_P (world, m).
     pub moment_arm: [L; 3],
-    /// 0 where the path exists for sure, 1 where the single pose must say whether it does.
+    /// 0 where the path certainly exists, 1 where the single pose must decide.
     pub needs_scalar: L,
 }
 
-/// Eight cables, or fewer with copies of the last one that weigh nothing.
+/// Eight cables, or fewer with copies of the last one whose weight is 0.
 #[derive(Clone, Debug)]
 pub struct CableGroup {
     /// Outlets of one kind.
@@ -37,7 +37,7 @@ impl CableGroup {
         (cables.path, cables.moment_arm)
     }
 
-    /// [`CableGroup::paths`], and the cables that may have none.
+    /// [`CableGroup::paths`] with the flag of cables that may have no path.
     #[inline(always)]
     pub fn checked_paths<L: Lanes>(&self, l: L, position: [f64; 3], rotation: &[[f64; 3]; 3]) -> CablePathInLanes<L> {
         let rows = [constants(l, rotation[0]), constants(l, rotation[1]), constants(l, rotation[2])];
@@ -48,7 +48,7 @@ impl CableGroup {
         CablePathInLanes { path, moment_arm: end.moment_arm, needs_scalar }
     }
 
-    /// CablePath and moment arm of one of the group's cables at poses given by positions and rotation rows: the bits of
+    /// Path and moment arm of one of the group's cables at poses given by positions and rotation rows, with the bits of
     /// the single pose.
     #[inline(always)]
     pub fn path_in_lanes<L: Lanes>(

@@ -8,10 +8,11 @@ use crate::cable::wrench::wrench;
 use crate::geometry::{Twist, Wrench};
 use crate::scalar::{Kernel, LANES, Lanes, Real};
 
-/// Kernel of the geometric lengths q of all cables at a pose (m); false where a cable may have no path, and its number means nothing.
+/// Kernel of the geometric lengths q of all cables at a pose (m); returns false if a cable may have no path, and its
+/// length is then meaningless.
 #[derive(Debug)]
 pub struct Lengths<'a> {
-    /// Cables, eight a group.
+    /// Cables, eight per group.
     pub groups: &'a [CableGroup],
     /// r (world, m).
     pub position: [f64; 3],
@@ -37,11 +38,11 @@ impl Kernel for Lengths<'_> {
     }
 }
 
-/// Kernel of the structure matrix Aᵀ at a pose, column by column \[u; b × u\] in the degrees of freedom; false where a cable may have no path, and its
-/// numbers mean nothing.
+/// Kernel of the structure matrix Aᵀ at a pose, column by column \[u; b × u\] in the degrees of freedom; returns false
+/// if a cable may have no path, and its numbers are then meaningless.
 #[derive(Debug)]
 pub struct StructureColumns<'a> {
-    /// Cables, eight a group.
+    /// Cables, eight per group.
     pub groups: &'a [CableGroup],
     /// Twists of the n degrees of freedom.
     pub basis: &'a [Twist],
@@ -79,11 +80,12 @@ impl Kernel for StructureColumns<'_> {
     }
 }
 
-/// Kernel of cables in motion: lengths, tensions of linear laws continued below zero, and the wrench of those that pull; `None` if a cable may have
-/// no path, and the numbers mean nothing. Of cables without linear law tensions and wrench mean nothing. Lists have eight numbers a group.
+/// Kernel of cables in motion: lengths, tensions of linear laws continued below zero, and the wrench of the cables that
+/// pull; `None` if a cable may have no path, and the numbers are then meaningless, as are tensions and wrench of cables
+/// without a linear law. Lists have eight numbers per group.
 #[derive(Debug)]
 pub struct Pulls<'a> {
-    /// Cables, eight a group.
+    /// Cables, eight per group.
     pub groups: &'a [CableGroup],
     /// r (world, m).
     pub position: [f64; 3],
@@ -91,13 +93,13 @@ pub struct Pulls<'a> {
     pub rotation: &'a [[f64; 3]; 3],
     /// Unstrained lengths (m).
     pub unstrained: &'a [f64],
-    /// 1 for a whole cable, 0 for a broken one and for one that fills a group.
+    /// 1 for a whole cable, 0 for a broken one and for a copy that fills a group.
     pub whole: &'a [f64],
     /// q of every cable (m).
     pub lengths: &'a mut [f64],
     /// Tensions (N).
     pub tensions: &'a mut [f64],
-    /// \[u; b × u\] of every cable (world), m columns; empty if they are not asked for.
+    /// \[u; b × u\] of every cable (world), m columns; empty if they are not needed.
     pub columns: &'a mut [[f64; 6]],
 }
 
@@ -137,7 +139,7 @@ impl Kernel for Pulls<'_> {
     }
 }
 
-/// The first of eight numbers, as many as there is room for.
+/// Writes the first of eight numbers, as many as `target` has room for.
 #[inline]
 fn write(numbers: &[f64; LANES], target: &mut [f64]) {
     match <&mut [f64; LANES]>::try_from(&mut *target) {
@@ -146,7 +148,8 @@ fn write(numbers: &[f64; LANES], target: &mut [f64]) {
     }
 }
 
-/// A wrench in the robot's degrees of freedom (the first n entries), with the bits of nalgebra's products: sums that start at zero.
+/// A wrench in the robot's degrees of freedom (the first n entries), with the bits of nalgebra's products, whose sums
+/// start at zero.
 #[inline(always)]
 pub fn in_pattern<T: Real>(basis: &[Twist], wrench: [T; 6]) -> [T; 6] {
     let zero = wrench[0].constant(0.0);

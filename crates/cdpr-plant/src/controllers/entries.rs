@@ -1,4 +1,4 @@
-//! The table of all controllers, and `[control]` as a scenario states it.
+//! The table of all controllers, and the reading of `[control]` from a scenario.
 
 use std::borrow::Cow;
 
@@ -15,10 +15,10 @@ use crate::controller::Controller;
 use crate::error::{PlantError, ScenarioKey};
 use crate::keys::{Key, Kind, Shape, Stated, TableSeed, Word, allowed_keys, kinds_schema};
 
-/// All controllers; the first one is that of scenarios that name none.
+/// All controllers; the first one is the default.
 const CONTROLLERS: &[ControllerEntry] = &[LENGTHS, LENGTH_CHANGES, TORQUES];
 
-/// Key of the word.
+/// Keys that every kind has.
 const OWN: &[Key] = &[Key::optional("kind", Shape::Word(words), "Kind of command.")];
 
 fn words() -> Vec<Word> {
@@ -53,12 +53,12 @@ impl JsonSchema for Control {
 }
 
 impl Control {
-    /// Row of its kind in the table.
+    /// Row of its kind in the table; the default if there is none.
     fn entry(&self) -> &'static ControllerEntry {
         CONTROLLERS.iter().find(|entry| entry.kind.word.name == self.kind).unwrap_or(&CONTROLLERS[0])
     }
 
-    /// Refuses keys of other kinds, and kinds for other winches: the key with the mistake.
+    /// Checks that the kind fits the winches and that no key belongs to another kind; the error names the key.
     #[cfg(feature = "files")]
     pub(crate) fn check(&self, winches: Winches) -> Result<(), (&'static str, String)> {
         let entry = self.entry();
@@ -68,7 +68,7 @@ impl Control {
         entry.kind.check(&self.stated, &kinds())
     }
 
-    /// Its controller for a machine.
+    /// The controller for a machine; an error if it does not fit the winches.
     pub(crate) fn controller(&self, setting: &ControlSetting<'_>) -> Result<Box<dyn Controller>, PlantError> {
         let entry = self.entry();
         if !entry.winches.contains(&setting.plant.winches()) {

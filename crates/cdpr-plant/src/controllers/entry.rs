@@ -1,4 +1,4 @@
-//! Entry of a controller in the table of all: word, keys, and how it is made from a scenario.
+//! Entry of a controller in the table of all: its word, its keys, and its constructor from a scenario.
 
 use crate::controller::Controller;
 use crate::error::{PlantError, ScenarioKey};
@@ -6,11 +6,11 @@ use crate::keys::{Kind, Stated};
 use crate::state::PlantState;
 use crate::{Plant, Winches};
 
-/// Controller that a scenario can ask for.
+/// Controller that a scenario can select.
 pub(super) struct ControllerEntry {
     /// Word of `kind`, meaning and keys in the table `[control]`.
     pub(super) kind: Kind,
-    /// Winches that it can drive.
+    /// Winches that the controller can drive.
     pub(super) winches: &'static [Winches],
     pub(super) make: fn(&ControlSetting<'_>) -> Result<Box<dyn Controller>, PlantError>,
 }
@@ -20,22 +20,22 @@ pub(super) struct ControllerEntry {
 pub struct Control {
     /// Word of the controller.
     pub kind: &'static str,
-    /// Values of its keys.
+    /// Values of the controller's keys.
     pub(crate) stated: Stated,
 }
 
-/// Ingredients of a controller.
+/// Inputs for the construction of a controller.
 pub(crate) struct ControlSetting<'a> {
-    /// Machine that it drives.
+    /// Machine that the controller drives.
     pub(crate) plant: &'a Plant,
     /// Machine at rest, before it is displaced.
     pub(crate) state: &'a PlantState,
-    /// Values of its keys.
+    /// Values of the controller's keys.
     pub(crate) stated: &'a Stated,
 }
 
 impl ControlSetting<'_> {
-    /// A mistake at a key of the table.
+    /// An error at a key of the table.
     pub(super) fn refused(&self, key: &'static str, message: String) -> PlantError {
         PlantError::Value { key: ScenarioKey::of("control", key), message }
     }

@@ -1,4 +1,4 @@
-//! Winches that follow a table: changes of the wanted lengths over time.
+//! Winches that follow a table of changes of the setpoint lengths over time.
 
 use super::entry::{ControlSetting, ControllerEntry};
 use crate::command::Command;
@@ -40,11 +40,11 @@ fn make(setting: &ControlSetting<'_>) -> Result<Box<dyn Controller>, PlantError>
     Ok(Box::new(LengthChanges { changes, now: vec![0.0; cables] }))
 }
 
-/// Controller of lengths that a table changes.
+/// Controller that adds a table of changes to the setpoint lengths.
 #[derive(Clone, Debug)]
 struct LengthChanges {
     changes: Series,
-    /// Row of the moment (m).
+    /// Row of the table at the current time (m).
     now: Vec<f64>,
 }
 

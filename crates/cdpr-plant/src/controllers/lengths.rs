@@ -1,4 +1,4 @@
-//! Winches that have the wanted lengths: in a scenario without a trajectory those of the start.
+//! Winches that follow the setpoint lengths: those of the start in a scenario without a trajectory.
 
 use super::entry::ControllerEntry;
 use crate::command::Command;
@@ -13,7 +13,7 @@ pub(super) const LENGTHS: ControllerEntry = ControllerEntry {
     make: |_| Ok(Box::new(Lengths)),
 };
 
-/// Controller of wanted lengths.
+/// Controller that commands the setpoint lengths.
 #[derive(Clone, Copy, Debug)]
 struct Lengths;
 

@@ -1,4 +1,4 @@
-//! Controllers that a scenario asks for by a word: one file each, and a row in one table.
+//! Controllers that a scenario selects by a word: one file each, and a row in one table.
 
 mod entries;
 mod entry;

@@ -1,4 +1,4 @@
-//! Motors that hold the torques of the start, whatever happens.
+//! Motors that keep the torques of the start.
 
 use super::entry::{ControlSetting, ControllerEntry};
 use crate::command::Command;

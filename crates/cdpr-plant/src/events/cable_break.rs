@@ -15,7 +15,7 @@ pub(super) const CABLE_BREAK: EventEntry = EventEntry {
     make: |setting| Ok(Arc::new(CableBreak { cable: setting.cable()? })),
 };
 
-/// A cable breaks: its tension is 0 from then on.
+/// A cable breaks: its tension is 0 afterwards.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct CableBreak {
     /// Cable (0-based).

@@ -1,4 +1,4 @@
-//! The table of all events, and `[[event]]` as a scenario states it.
+//! The table of all events, and the reading of `[[event]]` from a scenario.
 
 use std::borrow::Cow;
 
@@ -63,7 +63,7 @@ impl EventTable {
         EVENTS.iter().find(|entry| entry.kind.word.name == self.kind)
     }
 
-    /// Refuses times before the start, and keys of other kinds: the key with the mistake.
+    /// Checks that the time is not before the start and that no key belongs to another kind; the error names the key.
     #[cfg(feature = "files")]
     pub(crate) fn check(&self) -> Result<(), (&'static str, String)> {
         if !(self.time_s >= 0.0 && self.time_s.is_finite()) {
@@ -87,14 +87,14 @@ impl Event {
             table.stated.check_ranges(entry.kind.keys, |key| setting.key(key))?;
             events.push(Self { time: table.time_s, happening: (entry.make)(&setting)? });
         }
-        // a stable sort: what happens at one time happens in the order of the file
+        // a stable sort: events at the same time happen in the order of the file
         events.sort_by(|a, b| a.time.total_cmp(&b.time));
         check_masses(plant, &events)?;
         Ok(events)
     }
 }
 
-/// Loads must be heavy or light enough that a mass is left, and a file without gravity does not say what they weigh.
+/// Checks that loads leave a positive mass, and that the file states gravity for their weight.
 fn check_masses(plant: &Plant, events: &[Event]) -> Result<(), PlantError> {
     let robot = plant.model().robot();
     let mut body = plant.inertia.body;

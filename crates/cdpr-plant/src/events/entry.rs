@@ -1,4 +1,4 @@
-//! Entry of an event in the table of all: word, keys, and how it is made from a scenario.
+//! Entry of an event in the table of all: its word, its keys, and its constructor from a scenario.
 
 use std::sync::Arc;
 
@@ -8,7 +8,7 @@ use crate::error::{PlantError, ScenarioKey};
 use crate::keys::{Key, Kind, Shape, Stated};
 use cdpr_model::geometry::Twist;
 
-/// Key of the cable that an event is about.
+/// Key of the cable that an event concerns.
 pub(super) const CABLE: Key = Key::needed("cable", Shape::Cable, "number of the cable, from 1.");
 
 /// Event that a scenario can state.
@@ -25,32 +25,32 @@ pub struct EventTable {
     pub time_s: f64,
     /// Word of the event.
     pub kind: &'static str,
-    /// Values of its keys.
+    /// Values of the event's keys.
     pub(crate) stated: Stated,
 }
 
-/// Ingredients of an event.
+/// Inputs for the construction of an event.
 pub(super) struct EventSetting<'a> {
-    /// Machine to which it happens.
+    /// Machine that the event changes.
     pub(super) plant: &'a Plant,
-    /// Place in the list of events, from 0.
+    /// Index in the list of events, from 0.
     pub(super) index: usize,
-    /// Values of its keys.
+    /// Values of the event's keys.
     pub(super) stated: &'a Stated,
 }
 
 impl EventSetting<'_> {
-    /// Place of a key of the event.
+    /// The scenario key for a key of the event.
     pub(super) fn key(&self, key: &'static str) -> ScenarioKey {
         ScenarioKey { table: "event", index: Some(self.index), key }
     }
 
-    /// A mistake at a key of the event.
+    /// An error at a key of the event.
     pub(super) fn refused(&self, key: &'static str, message: String) -> PlantError {
         PlantError::Value { key: self.key(key), message }
     }
 
-    /// Cable that the event is about, from 0.
+    /// Cable that the event concerns, from 0.
     pub(super) fn cable(&self) -> Result<usize, PlantError> {
         let (number, cables) = (self.stated.whole(CABLE.name).unwrap_or(0), self.plant.model().cable_count());
         match usize::try_from(number) {
@@ -61,7 +61,7 @@ impl EventSetting<'_> {
         }
     }
 
-    /// A twist or wrench by its components in the degrees of freedom.
+    /// A twist or wrench from its components in the degrees of freedom.
     pub(super) fn components(&self, key: &'static str) -> Result<Twist, PlantError> {
         let (robot, numbers) = (self.plant.model().robot(), self.stated.numbers(key).unwrap_or_default());
         let twist = robot.motion_pattern.twist(robot.plane, numbers);

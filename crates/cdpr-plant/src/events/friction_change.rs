@@ -37,14 +37,15 @@ fn make(setting: &EventSetting<'_>) -> Result<Arc<dyn Happening>, PlantError> {
     Ok(Arc::new(FrictionChange { cable: setting.cable()?, coulomb, viscous }))
 }
 
-/// Friction of a drum changes. Static friction stays as far above that of a drum that turns as it was; ideal winches have none.
+/// The friction of a drum changes. Static friction keeps its excess over the dry friction of a turning drum; ideal
+/// winches have no friction.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrictionChange {
     /// Cable of the drum (0-based).
     pub cable: usize,
-    /// Dry friction of a drum that turns (N·m); `None` if it stays.
+    /// Dry friction of a turning drum (N·m); `None` if it does not change.
     pub coulomb: Option<f64>,
-    /// Friction per speed (N·m·s/rad); `None` if it stays.
+    /// Friction per speed (N·m·s/rad); `None` if it does not change.
     pub viscous: Option<f64>,
 }
 
@@ -95,7 +96,7 @@ mod tests {
         robot
     }
 
-    /// A drum without its cable that turns by 1 rad/s, under a change of its friction; the others stand under torques that hold them.
+    /// A drum without its cable that turns at 1 rad/s, after a change of its friction; torques hold the others at rest.
     fn spinning(change: FrictionChange) -> (Plant, PlantState) {
         let plant = Plant::new(Model::new(robot(), Composition::ELASTIC).unwrap(), Winches::Drums).unwrap();
         let mut state = at_home(&plant, 60.0);
@@ -113,7 +114,7 @@ mod tests {
         }
     }
 
-    /// I ω̇ = −d ω: speed falls by exp(−d t/I), the energy of the drum by its square.
+    /// I ω̇ = −d ω: the speed falls by exp(−d t/I), the energy of the drum by its square.
     #[test]
     fn viscous_friction_of_an_event_lets_the_speed_decay_at_its_rate() {
         let (plant, mut state) = spinning(FrictionChange { cable: 2, coulomb: Some(0.0), viscous: Some(3.0) });
@@ -123,18 +124,18 @@ mod tests {
         assert!((state.cables[2].drum_speed / expected - 1.0).abs() < 1e-10, "{}", state.cables[2].drum_speed);
     }
 
-    /// I ω̇ = −T_c: the speed falls on a line to zero after I ω/T_c, and stays there.
+    /// I ω̇ = −T_c: the speed falls linearly to zero after I ω/T_c, and stays there.
     #[test]
     fn coulomb_friction_of_an_event_stops_the_drum_after_its_time() {
         let (plant, mut state) = spinning(FrictionChange { cable: 1, coulomb: Some(12.0), viscous: Some(0.0) });
-        // static friction counts for speeds far below 1 rad/s only
+        // static friction counts only for speeds far below 1 rad/s
         state.friction[1].standing = 12.0;
         let start = state.cables[1].drum_angle;
         run(&plant, &mut state, 1, 0.04);
         assert!((state.cables[1].drum_speed - 0.2).abs() < 1e-12, "{}", state.cables[1].drum_speed);
         run(&plant, &mut state, 1, 0.04);
         assert_eq!(state.cables[1].drum_speed, 0.0);
-        // I ω²/(2 T_c); what is left of the last step is 12/0.6 (1e-3)²/2 at most
+        // I ω²/(2 T_c); the error of the last step is 12/0.6 (1e-3)²/2 at most
         let angle = state.cables[1].drum_angle - start;
         assert!((angle - INERTIA / 24.0).abs() < 1.1e-5, "{angle}");
     }
@@ -150,7 +151,7 @@ mod tests {
         assert_eq!(state.friction[3].viscous, 0.2);
     }
 
-    /// In a scenario: from its time on, of drums only, by numbers that a drum and the step can have.
+    /// In a scenario: from its time on, for drums only, and with numbers that a drum and the step allow.
     #[test]
     fn scenarios_change_friction_of_drums_and_of_nothing_else() {
         let text = |event: &str, time: &str| {

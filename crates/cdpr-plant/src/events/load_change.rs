@@ -70,7 +70,7 @@ impl Happening for LoadChange {
     }
 }
 
-/// The body as the pattern sees it: without turns a point.
+/// The body in the motion pattern: a point if the pattern has no rotation.
 fn held(plant: &Plant, body: Body) -> Body {
     match plant.model().robot().motion_pattern.has_rotation() {
         true => body,

@@ -1,4 +1,4 @@
-//! Events: what happens to a machine at an instant. One file each, and a row in one table.
+//! Events: instantaneous changes of a machine. One file each, and a row in one table.
 
 mod cable_break;
 mod entries;

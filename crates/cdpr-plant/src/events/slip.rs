@@ -18,12 +18,12 @@ pub(super) const SLIP: EventEntry = EventEntry {
     make: |setting| Ok(Arc::new(Slip { cable: setting.cable()?, length: setting.stated.number_or_zero("length_m") })),
 };
 
-/// A cable slips through what holds it and is longer by this.
+/// A cable slips through its holder, so that its unstrained length changes.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Slip {
     /// Cable (0-based).
     pub cable: usize,
-    /// Length (m), positive where the cable grows longer.
+    /// Length (m), positive if the cable becomes longer.
     pub length: f64,
 }
 

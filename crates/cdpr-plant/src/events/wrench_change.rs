@@ -23,7 +23,8 @@ pub(super) const WRENCH: EventEntry = EventEntry {
     make: |setting| Ok(Arc::new(WrenchChange(setting.components("wrench")?))),
 };
 
-/// A wrench acts besides load and weight, in place of the one of an earlier event (world axes, moment about the platform origin; N, N·m).
+/// A wrench acts in addition to load and weight and replaces that of an earlier event (world axes, moment about the
+/// platform origin; N, N·m).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct WrenchChange(pub Wrench);
 

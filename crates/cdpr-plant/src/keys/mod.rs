@@ -1,4 +1,5 @@
-//! Tables of a scenario by lists of their keys: one list reads a table, refuses what does not belong to it, and describes it to editors.
+//! Tables of a scenario from lists of their keys: the same list reads a table, refuses unknown keys, and describes the
+//! table to editors.
 
 mod reading;
 mod schema;
@@ -15,9 +16,9 @@ pub(crate) struct Key {
     pub(super) name: &'static str,
     /// Description in a line.
     pub(super) summary: &'static str,
-    /// Form of its value.
+    /// Form of the value.
     pub(super) shape: Shape,
-    /// Its value in a table that does not state it.
+    /// Value in a table that does not state the key.
     pub(super) missing: Missing,
 }
 
@@ -48,14 +49,14 @@ pub(crate) enum Shape {
     Tables(&'static [Key]),
 }
 
-/// Value of a key that is not stated.
+/// Effect of a key that is not stated.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) enum Missing {
     /// The table is refused.
     Refused,
-    /// The reader does without it.
+    /// The reader handles the missing value.
     Allowed,
-    /// This number.
+    /// The key has this default.
     Number(f64),
 }
 
@@ -68,17 +69,17 @@ pub(crate) struct Word {
     pub(super) summary: &'static str,
 }
 
-/// Word of a table and the keys that belong to it.
+/// Kind of a table: its word and the keys that belong to it.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Kind {
     /// The word.
     pub(super) word: Word,
-    /// Keys besides those that all words have.
+    /// Keys in addition to those of all kinds.
     pub(super) keys: &'static [Key],
 }
 
 impl Key {
-    /// A key that every table of its kind states.
+    /// A key that every table of its kind must state.
     pub(super) const fn needed(name: &'static str, shape: Shape, summary: &'static str) -> Self {
         Self { name, summary, shape, missing: Missing::Refused }
     }
@@ -88,7 +89,7 @@ impl Key {
         Self { name, summary, shape, missing: Missing::Allowed }
     }
 
-    /// A key of a number that has a value where no table states it.
+    /// A key of a number with a default.
     pub(super) const fn with_default(name: &'static str, number: f64, shape: Shape, summary: &'static str) -> Self {
         Self { name, summary, shape, missing: Missing::Number(number) }
     }
@@ -128,17 +129,17 @@ impl Stated {
         if let Value::Number(number) = self.value(key)? { Some(*number) } else { None }
     }
 
-    /// A number that has a default or is needed: 0 of a table that was never read.
+    /// A number with a default or a needed one; 0 for a table that was never read.
     pub(super) fn number_or_zero(&self, key: &str) -> f64 {
         self.number(key).unwrap_or(0.0)
     }
 
-    /// A whole number.
+    /// A whole number; `None` if it is not stated.
     pub(super) fn whole(&self, key: &str) -> Option<u64> {
         if let Value::Whole(number) = self.value(key)? { Some(*number) } else { None }
     }
 
-    /// A list of numbers.
+    /// A list of numbers; `None` if it is not stated.
     pub(super) fn numbers(&self, key: &str) -> Option<&[f64]> {
         if let Value::Numbers(numbers) = self.value(key)? { Some(numbers) } else { None }
     }
@@ -148,17 +149,17 @@ impl Stated {
         self.numbers(key).and_then(|numbers| numbers.try_into().ok()).unwrap_or_default()
     }
 
-    /// Rows of numbers.
+    /// Rows of numbers; `None` if they are not stated.
     pub(super) fn rows(&self, key: &str) -> Option<&[Vec<f64>]> {
         if let Value::Rows(rows) = self.value(key)? { Some(rows) } else { None }
     }
 
-    /// A word.
+    /// A word; `None` if it is not stated.
     pub(super) fn word(&self, key: &str) -> Option<&'static str> {
         if let Value::Word(word) = self.value(key)? { Some(word) } else { None }
     }
 
-    /// A table.
+    /// A table; `None` if it is not stated.
     pub(super) fn table(&self, key: &str) -> Option<&Stated> {
         if let Value::Table(table) = self.value(key)? { Some(table) } else { None }
     }
@@ -168,7 +169,7 @@ impl Stated {
         if let Some(Value::Tables(tables)) = self.value(key) { tables } else { &[] }
     }
 
-    /// Refuses numbers that their keys do not allow; `place` is where a key of the table stands.
+    /// Checks that numbers lie in the ranges of their keys; `place` gives the scenario key for a key of the table.
     pub(super) fn check_ranges(
         &self,
         keys: &[Key],
@@ -191,7 +192,7 @@ impl Stated {
 }
 
 impl Kind {
-    /// Refuses a table that lacks a key of this kind, or has one of another: the key with the mistake.
+    /// Checks that a table has the needed keys of this kind and none of another; the error names the key.
     #[cfg(feature = "files")]
     pub(super) fn check(&self, stated: &Stated, all: &[Kind]) -> Result<(), (&'static str, String)> {
         let word = self.word.name;
@@ -210,7 +211,7 @@ impl Kind {
     }
 }
 
-/// Keys that a table may state whose kind is not known yet: its own, then those of all kinds.
+/// Keys that a table may state before its kind is known: its own, then those of all kinds.
 pub(super) fn allowed_keys(own: &[Key], kinds: &[Kind]) -> Vec<Key> {
     let mut all = own.to_vec();
     for key in kinds.iter().flat_map(|kind| kind.keys) {
@@ -235,7 +236,7 @@ pub(super) fn book_rows<'a>(kinds: impl Iterator<Item = (Word, &'a [Key])>) -> V
     kinds.map(row).collect()
 }
 
-/// Rows that the book's chapter on machines in time lacks.
+/// Rows that are missing in the book's chapter on machines in time.
 #[cfg(test)]
 pub(super) fn missing_in_book(rows: Vec<String>) -> Vec<String> {
     let chapter = concat!(env!("CARGO_MANIFEST_DIR"), "/../../docs/book/src/dynamics.md");

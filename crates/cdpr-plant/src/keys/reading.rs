@@ -1,4 +1,4 @@
-//! Tables from a file, by their keys.
+//! Reading of tables from a file, by their keys.
 
 use std::fmt;
 
@@ -7,7 +7,7 @@ use serde::de::{DeserializeSeed, Deserializer, Error, MapAccess, SeqAccess, Visi
 
 use super::{Key, Missing, Shape, Stated, Value, Word};
 
-/// Reader of a table with these keys; others are refused, as missing ones that are needed.
+/// Reader of a table with these keys; it refuses unknown keys and missing needed ones.
 pub(crate) struct TableSeed<'k>(pub(crate) &'k [Key]);
 
 impl<'de> DeserializeSeed<'de> for TableSeed<'_> {
@@ -41,7 +41,7 @@ impl<'de> Visitor<'de> for TableSeed<'_> {
     }
 }
 
-/// The names in the words in which errors of derived readers list them.
+/// The names, formatted as in the errors of derived readers.
 fn listed<'a>(names: impl Iterator<Item = &'a str>) -> String {
     names.map(|name| format!("`{name}`")).collect::<Vec<_>>().join(", ")
 }

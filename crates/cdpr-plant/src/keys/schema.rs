@@ -1,4 +1,4 @@
-//! Tables as JSON Schema, by their keys.
+//! JSON Schema of tables, from their keys.
 
 use schemars::{Schema, json_schema};
 
@@ -9,7 +9,7 @@ pub(crate) fn table_schema(description: &str, keys: &[Key]) -> Schema {
     of_keys(description, keys.iter().map(|key| (*key, String::new())))
 }
 
-/// Schema of a table whose `kind` says which keys belong to it, besides its own.
+/// Schema of a table whose `kind` determines the keys that it has in addition to its own.
 pub(crate) fn kinds_schema(description: &str, own: &[Key], kinds: &[Kind]) -> Schema {
     let mut all: Vec<(Key, Vec<String>)> = Vec::new();
     for kind in kinds {
@@ -25,7 +25,7 @@ pub(crate) fn kinds_schema(description: &str, own: &[Key], kinds: &[Kind]) -> Sc
     of_keys(description, own.chain(all.into_iter().map(|(key, words)| (key, words.join(", ") + ": "))))
 }
 
-/// Schema of keys, each with what stands before its description.
+/// Schema of keys, each with a prefix for its description.
 fn of_keys(description: &str, keys: impl Iterator<Item = (Key, String)>) -> Schema {
     let (mut properties, mut required) = (Schema::default(), Vec::new());
     for (key, before) in keys {

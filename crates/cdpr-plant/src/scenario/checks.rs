@@ -1,4 +1,4 @@
-//! Checks of a scenario that need no robot, with the place of each mistake.
+//! Checks of a scenario that need no robot; each error names its key.
 
 use super::{Integrator, Scenario, Time};
 use crate::series::Series;
@@ -37,7 +37,7 @@ pub(super) fn check(scenario: &Scenario, document: &TomlDocument<'_>) -> Result<
     Ok(())
 }
 
-/// Makes errors at places of the file.
+/// Makes errors at keys of the file.
 struct Place<'a> {
     document: &'a TomlDocument<'a>,
 }

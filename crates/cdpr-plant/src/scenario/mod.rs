@@ -1,4 +1,4 @@
-//! Scenario files: a machine, its start, what is commanded and what happens.
+//! Scenario files: a machine, its start, commands and events.
 
 #[cfg(feature = "files")]
 mod checks;

@@ -1,4 +1,4 @@
-//! A scenario from its file.
+//! Reading of a scenario from its file.
 
 use super::{Scenario, checks};
 use crate::error::PlantError;
@@ -14,7 +14,7 @@ impl Scenario {
     }
 }
 
-/// The mistake with its place in the file that the scenario was read from; `None` if it has none there.
+/// The error with its position in the file that the scenario was read from; `None` if it has none there.
 pub fn located(error: &PlantError, code: &'static str, bytes: &[u8], file_name: &str) -> Option<ReadError> {
     let key = error.key()?;
     let document = TomlDocument::parse(text_from_bytes(bytes, Size::Text, file_name).ok()?, file_name).ok()?;

@@ -1,4 +1,4 @@
-//! Encoders of the winches: recorded lengths, which count and may lose counts.
+//! Encoders of the winches: recorded lengths in whole counts, some of which may be lost.
 
 use super::entry::{Seen, Sensor, SensorEntry, SensorSetting, refused};
 use super::record::cable_columns;
@@ -32,7 +32,7 @@ const LOSS: &[Key] = &[
     Key::needed("length_m", Shape::Number, "Length by which the record is too short from then on (m)."),
 ];
 
-/// Counts of an encoder that get lost.
+/// Counts that an encoder loses at a time.
 #[derive(Clone, Copy, Debug)]
 struct Loss {
     time: f64,
@@ -81,7 +81,7 @@ impl Sensor for Encoders {
     }
 
     fn add_accuracies(&self, sigmas: &mut SensorSigmas) {
-        // a count stands for a length of equal probability
+        // within one count all lengths are equally probable
         sigmas.length = Some(self.resolution / 12f64.sqrt());
     }
 

@@ -1,4 +1,4 @@
-//! The table of all sensors, and `[sensors]` as a scenario states it.
+//! The table of all sensors, and the reading of `[sensors]` from a scenario.
 
 use std::borrow::Cow;
 
@@ -17,7 +17,7 @@ use crate::keys::{Key, Shape, Stated, TableSeed, table_schema};
 /// All sensors, in the order of their files and of the columns in each.
 pub const SENSORS: &[SensorEntry] = &[INCLINOMETER, ENCODERS, LOAD_PINS, SWIVELS, TRACKER, IMU];
 
-/// Keys of `[sensors]` besides the sensors.
+/// Keys of `[sensors]` in addition to the tables of the sensors.
 pub(super) const OWN: &[Key] = &[
     Key::optional("seed", Shape::Whole, "Seed of all noise; 0 when missing."),
     Key::with_default(
@@ -33,7 +33,7 @@ fn keys() -> Vec<Key> {
     OWN.iter().copied().chain(SENSORS.iter().map(sensor)).collect()
 }
 
-/// Sensors of a machine as its scenario states them; each is there if its table is. A machine without tables is measured by nothing.
+/// Sensors in a scenario: each exists if its table does. A machine without tables has no sensors.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct SensorTable {
     /// Values of its keys, tables of the sensors included.

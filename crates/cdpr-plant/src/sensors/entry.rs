@@ -1,4 +1,4 @@
-//! Entry of a sensor in the table of all: name, keys, file, and how it is made from a scenario.
+//! Entry of a sensor in the table of all: its name, its keys, its file, and its constructor from a scenario.
 
 use std::fmt::Debug;
 
@@ -10,69 +10,70 @@ use cdpr_model::geometry::Wrench;
 use cdpr_model::measurement::SensorSigmas;
 use cdpr_model::model::Model;
 
-/// Sensor that a scenario can state.
+/// Sensor that a scenario can have.
 pub struct SensorEntry {
-    /// Its table in a scenario, as `sensors.tracker`.
+    /// Table of the sensor in a scenario, e.g. `sensors.tracker`.
     pub table: &'static str,
-    /// Description in a line.
+    /// Description in one line.
     pub summary: &'static str,
-    /// File with its rows. Sensors of one file share its clock, which is that of `[sensors]` unless they have a key `rate_Hz`.
+    /// File of the sensor's rows. Sensors with the same file share its clock, which is that of `[sensors]` unless they
+    /// have a key `rate_Hz`.
     pub file: &'static str,
-    /// Keys of its table.
+    /// Keys of the sensor's table.
     pub(super) keys: &'static [Key],
     pub(super) make: fn(&SensorSetting<'_>) -> Result<Box<dyn Sensor>, PlantError>,
 }
 
 impl SensorEntry {
-    /// Name of its table within `[sensors]`.
+    /// Name of the sensor's table within `[sensors]`.
     pub(super) fn name(&self) -> &'static str {
         self.table.trim_start_matches("sensors.")
     }
 }
 
-/// Ingredients of a sensor.
+/// Inputs for the construction of a sensor.
 pub(super) struct SensorSetting<'a> {
-    /// Model of the machine that it measures.
+    /// Model of the measured machine.
     pub(super) model: &'a Model,
-    /// Values of its keys.
+    /// Values of the sensor's keys.
     pub(super) stated: &'a Stated,
-    /// Seed of its noise.
+    /// Seed of the sensor's noise.
     pub(super) seed: u64,
 }
 
-/// A mistake at a key of a table.
+/// An error at a key of a table.
 pub(super) fn refused(table: &'static str, key: &'static str, message: String) -> PlantError {
     PlantError::Value { key: ScenarioKey::of(table, key), message }
 }
 
-/// Machine as a sensor finds it.
+/// Machine that a sensor measures.
 pub(super) struct Seen<'a> {
     pub(super) plant: &'a Plant,
     pub(super) state: &'a PlantState,
-    /// Wrench besides that of the state (world axes, moment about the platform origin; N, N·m).
+    /// Wrench in addition to that of the state (world axes, moment about the platform origin; N, N·m).
     pub(super) further: &'a Wrench,
 }
 
-/// A sensor with what it remembers.
+/// A sensor with its internal state.
 pub(super) trait Sensor: Debug + Send + Sync {
-    /// Names of its columns.
+    /// Names of the sensor's columns.
     fn columns(&self, model: &Model) -> Vec<String>;
 
-    /// Follows the machine to the end of a step, whether or not it is read there.
+    /// Updates the sensor at the end of a step, even if it is not read there.
     fn follow(&mut self, _seen: &Seen<'_>) {}
 
-    /// Numbers of a row; `None` if there is nothing to see. NaN stands for an empty cell.
+    /// Numbers of a row; `None` if there is no measurement. NaN stands for an empty cell.
     fn read(&mut self, seen: &Seen<'_>) -> Option<Vec<f64>>;
 
-    /// Time of a row that is read at a time (s).
+    /// Time stamp of a row that is read at a time (s).
     fn time_of_row(&self, time: f64) -> f64 {
         time
     }
 
-    /// Adds its accuracies to those of measurement files.
+    /// Adds the sensor's accuracies to those of measurement files.
     fn add_accuracies(&self, _sigmas: &mut SensorSigmas) {}
 
-    /// A sensor of its own that goes on from the same state.
+    /// A copy of the sensor with the same state.
     fn boxed_clone(&self) -> Box<dyn Sensor>;
 }
 

@@ -9,7 +9,7 @@ use crate::keys::{Key, Shape};
 use cdpr_model::geometry::Twist;
 use cdpr_model::model::Model;
 
-/// Random stream.
+/// Index of the random stream.
 const NOISE: u64 = 6;
 
 pub(super) const IMU: SensorEntry = SensorEntry {
@@ -39,11 +39,11 @@ pub(super) const IMU: SensorEntry = SensorEntry {
 
 #[derive(Clone, Debug)]
 struct Imu {
-    /// Place (platform frame, m).
+    /// Position (platform frame, m).
     position: Vector3<f64>,
     /// Biases of specific force (m/s²) and angular velocity (rad/s).
     biases: [Vector3<f64>; 2],
-    /// Their standard deviations.
+    /// Standard deviations of the noise of specific force (m/s²) and angular velocity (rad/s).
     sigmas: [f64; 2],
     noise: Noise,
 }

@@ -1,4 +1,4 @@
-//! An inclinometer: orientation of the platform by its own sensor, at the times of the winches' clock.
+//! An inclinometer: orientation of the platform from its own sensor, at the times of the winches' clock.
 
 use super::entry::{Seen, Sensor, SensorEntry, SensorSetting, refused};
 use super::signal::Noise;
@@ -8,7 +8,7 @@ use cdpr_model::geometry::Twist;
 use cdpr_model::measurement::{SensorSigmas, turn_columns, turn_numbers};
 use cdpr_model::model::Model;
 
-/// Random stream.
+/// Index of the random stream.
 const STREAM: u64 = 3;
 
 pub(super) const INCLINOMETER: SensorEntry = SensorEntry {
@@ -23,7 +23,7 @@ pub(super) const INCLINOMETER: SensorEntry = SensorEntry {
 struct Inclinometer {
     sigma: f64,
     noise: Noise,
-    /// Directions in which the platform turns.
+    /// Directions about which the platform turns.
     turns: Vec<Twist>,
 }
 

@@ -1,4 +1,4 @@
-//! Load pins at the outlets: recorded tensions behind an amplifier, with noise and bias.
+//! Load pins at the outlets: recorded tensions after an amplifier, with noise and bias.
 
 use super::entry::{Seen, Sensor, SensorEntry, SensorSetting, refused};
 use super::record::cable_columns;
@@ -10,7 +10,7 @@ use cdpr_model::model::Model;
 
 const TABLE: &str = "sensors.load_pins";
 
-/// Random stream.
+/// Index of the random stream.
 const STREAM: u64 = 1;
 
 pub(super) const LOAD_PINS: SensorEntry = SensorEntry {
@@ -41,7 +41,7 @@ struct LoadPins {
     range: Option<f64>,
     filters: Vec<LowPass>,
     noise: Noise,
-    /// Time of the last look (s).
+    /// Time of the last update (s).
     last: f64,
 }
 

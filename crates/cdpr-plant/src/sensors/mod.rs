@@ -1,8 +1,8 @@
-//! Sensors of a machine in time: what is logged is what they see.
+//! Sensors of a machine in time: the log has their readings.
 //!
-//! [`Sensors`] is a value beside the [`PlantState`]: a clone of both is a snapshot. It looks at every step, since
-//! amplifiers remember, and keeps rows at the times of each file. Every sensor has a file of its own in this room, a row in [`SENSORS`], and a random stream:
-//! another sensor more changes no number of the others.
+//! [`Sensors`] is a value beside the [`PlantState`]: a clone of both is a snapshot. It is updated at every step, since
+//! amplifiers have a memory, and keeps rows at the times of each file. Every sensor has a file of its own in this
+//! folder, a row in [`SENSORS`], and a random stream, so that adding a sensor changes no number of the others.
 
 mod encoders;
 mod entries;
@@ -31,7 +31,7 @@ use entries::OWN;
 use entry::{Seen, SensorSetting};
 use record::Record;
 
-/// Sensors with what they have seen so far.
+/// Sensors with their readings so far.
 #[derive(Clone, Debug)]
 pub struct Sensors {
     records: Vec<Record>,
@@ -48,7 +48,7 @@ pub struct SensorLog {
 }
 
 impl Sensors {
-    /// Sensors of a machine by the tables of a scenario.
+    /// Sensors of a machine from the tables of a scenario.
     pub fn new(table: &SensorTable, model: &Model) -> Result<Self, PlantError> {
         table.stated.check_ranges(OWN, |key| ScenarioKey::of("sensors", key))?;
         let seed = table.stated.whole("seed").unwrap_or(0);
@@ -78,12 +78,13 @@ impl Sensors {
         Ok(Self { records, sigmas })
     }
 
-    /// Looks at a state after each step, under a further wrench on the platform (world axes, moment about its origin; N, N·m).
+    /// Updates the sensors with a state after each step, under a further wrench on the platform (world axes, moment
+    /// about its origin; N, N·m).
     pub fn look(&mut self, plant: &Plant, state: &PlantState, further: &Wrench) {
         self.records.iter_mut().for_each(|record| record.look(&Seen { plant, state, further }));
     }
 
-    /// Columns of a file behind that of the time; empty if no sensor writes it.
+    /// Columns of a file after the time; empty if no sensor writes it.
     pub fn columns(&self, file: &str, model: &Model) -> Vec<String> {
         self.records.iter().filter(|record| record.file == file).flat_map(|record| record.columns(model)).collect()
     }
@@ -93,26 +94,26 @@ impl Sensors {
         self.records.iter().find(|record| record.file == file)?.last()
     }
 
-    /// Sidecar of their measurement file: accuracies, and the run that it comes from.
+    /// Sidecar of the measurement file: accuracies, and the run as its source.
     pub fn sidecar(&self, plant: &Plant, source: String) -> Sidecar {
         let robot = Some(plant.model().robot().name.clone());
         let provenance = Some(Provenance { source: Some(source), robot, ..Provenance::default() });
         Sidecar { layout_version: 1, sigmas: self.sigmas, provenance, ..Sidecar::default() }
     }
 
-    /// Rows per second and numbers in a row of the files of the sensors that are there.
+    /// Rows per second and numbers in a row, for each file of the sensors.
     pub(super) fn rates(&self, model: &Model) -> Vec<(f64, usize)> {
         self.records.iter().map(|record| record.rate_and_columns(model)).collect()
     }
 
-    /// Files of the sensors that are there.
+    /// Files of all sensors.
     pub fn logs(&self, plant: &Plant) -> Vec<SensorLog> {
         let log = |record: &Record| SensorLog { name: record.file, csv: record.csv(plant.model()) };
         self.records.iter().map(log).collect()
     }
 }
 
-/// An accuracy of 0 is none that a fit can divide by.
+/// `None` for an accuracy of 0, by which a fit cannot divide.
 fn known(sigma: Option<f64>) -> Option<f64> {
     sigma.filter(|sigma| *sigma > 0.0)
 }

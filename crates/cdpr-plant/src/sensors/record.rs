@@ -18,17 +18,17 @@ pub(super) struct Record {
 }
 
 impl Record {
-    /// An empty file with so many rows per second.
+    /// An empty file with `rate` rows per second.
     pub(super) fn new(file: &'static str, rate: f64) -> Self {
         Self { file, clock: Clock::new(rate), sensors: Vec::new(), rows: Vec::new() }
     }
 
-    /// Adds a sensor, whose columns stand behind those that are there.
+    /// Adds a sensor, with its columns after the existing ones.
     pub(super) fn add(&mut self, sensor: Box<dyn Sensor>) {
         self.sensors.push(sensor);
     }
 
-    /// Looks at the machine after a step.
+    /// Updates the sensors after a step, and adds a row if one is due.
     pub(super) fn look(&mut self, seen: &Seen<'_>) {
         self.sensors.iter_mut().for_each(|sensor| sensor.follow(seen));
         if !self.clock.is_due(seen.state.time) {
@@ -46,7 +46,7 @@ impl Record {
         self.rows.extend(row.map(|row| (time, row)));
     }
 
-    /// Names of the columns behind that of the time.
+    /// Names of the columns after the time.
     pub(super) fn columns(&self, model: &Model) -> Vec<String> {
         self.sensors.iter().flat_map(|sensor| sensor.columns(model)).collect()
     }
@@ -61,7 +61,7 @@ impl Record {
         (self.clock.rate(), 1 + self.columns(model).len())
     }
 
-    /// The file, in the columns of measurement files.
+    /// The file as text, in the columns of measurement files.
     pub(super) fn csv(&self, model: &Model) -> String {
         let names: Vec<String> = std::iter::once("t_s".to_owned()).chain(self.columns(model)).collect();
         let mut text = names.join(",") + "\n";
@@ -76,7 +76,7 @@ impl Record {
     }
 }
 
-/// Names of a column per cable.
+/// Names of one column per cable.
 pub(super) fn cable_columns(stem: &str, model: &Model) -> Vec<String> {
     (1..=model.cable_count()).map(|cable| format!("{stem}_{cable}")).collect()
 }

@@ -1,10 +1,10 @@
-//! Parts of all sensors: their clock, noise, low-pass and resolution.
+//! Components of all sensors: clock, noise, low-pass and resolution.
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
 
-/// Times that differ by less than this are one (s).
+/// Times that differ by less than this are equal (s).
 const SAME_TIME: f64 = 1e-9;
 
 /// Times at which a sensor is read: the first step at or after each multiple of its interval.
@@ -19,16 +19,16 @@ impl Clock {
         Self { interval: 1.0 / rate, next: 0 }
     }
 
-    /// Readings per second.
+    /// Count of readings per second.
     pub(super) fn rate(&self) -> f64 {
         1.0 / self.interval
     }
 
-    /// True where the sensor is read at a time.
+    /// True if the sensor is read at a time.
     pub(super) fn is_due(&mut self, time: f64) -> bool {
         let due = time + SAME_TIME >= self.next as f64 * self.interval;
         if due {
-            // steps longer than the interval skip what they pass
+            // steps longer than the interval skip the readings between
             self.next = ((time + SAME_TIME) / self.interval).floor() as u64 + 1;
         }
         due
@@ -46,17 +46,17 @@ impl Noise {
         Self(random)
     }
 
-    /// A normal number of this standard deviation.
+    /// A normally distributed number with this standard deviation.
     pub(super) fn of(&mut self, sigma: f64) -> f64 {
         let normal: f64 = StandardNormal.sample(&mut self.0);
         sigma * normal
     }
 }
 
-/// A low-pass of first order that is told its input at the end of every step.
+/// A low-pass of first order, updated with its input at the end of every step.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct LowPass {
-    /// Cut-off (Hz); everything passes without one.
+    /// Cut-off frequency (Hz); without one the input passes unchanged.
     cut_off: Option<f64>,
     value: Option<f64>,
 }
@@ -66,7 +66,7 @@ impl LowPass {
         Self { cut_off, value: None }
     }
 
-    /// Takes an input that was held over a time (s).
+    /// Updates the filter with an input that was held over a time (s).
     pub(super) fn pass(&mut self, input: f64, time: f64) {
         self.value = Some(match (self.cut_off, self.value) {
             (Some(cut_off), Some(value)) => {
@@ -76,13 +76,13 @@ impl LowPass {
         });
     }
 
-    /// Output by now; 0 before any input.
+    /// Present output; 0 before any input.
     pub(super) fn output(&self) -> f64 {
         self.value.unwrap_or(0.0)
     }
 }
 
-/// The nearest whole multiple of a resolution; the value itself where that is 0.
+/// The nearest whole multiple of a resolution; the value itself if the resolution is 0.
 pub(super) fn counted(value: f64, resolution: f64) -> f64 {
     if resolution > 0.0 { (value / resolution).round() * resolution } else { value }
 }

@@ -9,7 +9,7 @@ use cdpr_model::geometry::Pose;
 use cdpr_model::measurement::SensorSigmas;
 use cdpr_model::model::Model;
 
-/// Random stream.
+/// Index of the random stream.
 const STREAM: u64 = 2;
 
 pub(super) const SWIVELS: SensorEntry = SensorEntry {
@@ -40,7 +40,8 @@ fn make(setting: &SensorSetting<'_>) -> Result<Box<dyn Sensor>, PlantError> {
     Ok(Box::new(Swivels { sigma, resolution, noise: Noise::new(setting.seed, STREAM) }))
 }
 
-/// Angle of a pulley's swivel, right-handed about its axis from the direction of gravity (rad); `None` for one that does not swivel, and without gravity.
+/// Angle of a pulley's swivel, right-handed about its axis from the direction of gravity (rad); `None` if the pulley
+/// does not swivel or the robot has no gravity.
 fn swivel_angle(model: &Model, cable: usize, pose: &Pose) -> Option<f64> {
     model.swivel_angle(cable, pose, &model.robot().gravity?)
 }
@@ -53,7 +54,7 @@ impl Sensor for Swivels {
     fn read(&mut self, seen: &Seen<'_>) -> Option<Vec<f64>> {
         let model = seen.plant.model();
         let angle = |cable: usize| {
-            // a swivel whose angle is not determined shows nothing
+            // the cell of a swivel whose angle is not determined is empty
             let angle = swivel_angle(model, cable, &seen.state.pose).unwrap_or(f64::NAN);
             counted(angle + self.noise.of(self.sigma), self.resolution)
         };

@@ -1,4 +1,4 @@
-//! Sensors: laws that their rows keep, whatever the noise.
+//! Laws of the sensors' rows that hold for any noise.
 
 use std::convert::Infallible;
 use std::ops::ControlFlow;
@@ -60,7 +60,7 @@ fn without_noise_sensors_see_the_truth() {
     assert!((seen - last.pose.position).norm() < 1e-12, "displaced by no noise");
 }
 
-/// The specific force is that of the acceleration which differences of the path show, with dampers and without.
+/// The specific force agrees with the acceleration from differences of the path, with dampers and without.
 #[test]
 fn the_inertial_unit_feels_the_second_difference_of_its_path() {
     let place = Vector3::new(0.3, -0.2, 0.1);
@@ -87,7 +87,7 @@ fn the_inertial_unit_feels_the_second_difference_of_its_path() {
     }
 }
 
-/// Encoders at swivels count from gravity, and an inclinometer shows the platform's orientation.
+/// Encoders at swivels count from gravity, and an inclinometer measures the platform's orientation.
 #[test]
 fn swivels_and_inclinometers_see_the_pose() {
     let mut robot = simulator();
@@ -114,7 +114,7 @@ fn swivels_and_inclinometers_see_the_pose() {
     assert!(swing(5) > 1e-4 && swing(2) > 1e-3, "{} {}", swing(5), swing(2));
 }
 
-/// Noise has its standard deviation, a bias is a mean, and another sensor more changes no number of the others.
+/// Noise has its standard deviation, a bias is a mean, and adding a sensor changes no number of the others.
 #[test]
 fn noise_is_as_stated_and_of_each_sensor_alone() {
     let rest =
@@ -149,7 +149,7 @@ fn encoders_count_lose_counts_and_pins_end_at_their_range() {
     assert!(rows.iter().any(|row| row[9..].contains(&3000.0)), "some cable pulls more");
 }
 
-/// Half of the time without sight: as many rows are missing, and those that come are late.
+/// Without sight for half of the time: half of the rows are missing, and the others are late.
 #[test]
 fn trackers_are_late_and_blind_at_times() {
     let tables = "[sensors]\nseed = 1\n[sensors.tracker]\nrate_Hz = 500\nlatency_s = 0.02\ndropouts_per_s = 20\ndropout_s = 0.05\n";
@@ -157,7 +157,7 @@ fn trackers_are_late_and_blind_at_times() {
     let (logs, ..) = run(&text, simulator());
     let (_, rows) = numbers(&logs[0]);
     let fraction = rows.len() as f64 / 3001.0;
-    // sight and blindness take 0.05 s each in the mean, 60 of each: 0.5 ± 0.05
+    // sight and blindness take 0.05 s each on average, 60 of each: 0.5 ± 0.05
     assert!((fraction - 0.5).abs() < 0.2, "{fraction}");
     assert!(rows[0][0] >= 0.02);
 }

@@ -1,4 +1,4 @@
-//! A tracker of the platform: late, noisy, and blind at times.
+//! A tracker of the platform with latency, noise and dropouts.
 
 use rand::RngExt;
 
@@ -10,7 +10,7 @@ use cdpr_model::geometry::Twist;
 use cdpr_model::measurement::{SensorSigmas, pose_columns, pose_numbers};
 use cdpr_model::model::Model;
 
-/// Random streams of noise and dropouts.
+/// Indices of the random streams of noise and dropouts.
 const NOISE: u64 = 4;
 const DROPOUTS: u64 = 5;
 
@@ -55,12 +55,12 @@ struct Tracker {
     latency: f64,
     /// Standard deviations of position (m) and orientation (rad).
     sigmas: [f64; 2],
-    /// Dropouts per second of sight, and the length of one (s).
+    /// Dropouts per second of sight, and the length of a dropout (s).
     blindness: [f64; 2],
     basis: Vec<Twist>,
     noise: Noise,
     dropouts: Noise,
-    /// Beginning of the next dropout (s).
+    /// Start of the next dropout (s).
     blind_from: f64,
 }
 
@@ -113,7 +113,7 @@ impl Sensor for Tracker {
     }
 
     fn time_of_row(&self, time: f64) -> f64 {
-        // nanoseconds: a sum shall not show its rounding
+        // to nanoseconds, so that the sum does not show its rounding
         ((time + self.latency) * 1e9).round() / 1e9
     }
 

@@ -1,11 +1,11 @@
-//! Every composition: rest is the library's equilibrium, and stiffness the derivative of forces.
+//! Every composition: rest is the static library's equilibrium, and stiffness the derivative of forces.
 
 use super::super::events::{LoadChange, WrenchChange};
 use super::*;
 use cdpr_model::model::place_pulleys;
 use cdpr_model::statics::Load;
 
-/// A rope that gives back less than it took.
+/// A rope with hysteresis.
 pub(super) fn rope() -> cdpr_model::robot::HysteresisTable {
     cdpr_model::robot::HysteresisTable {
         strain: vec![0.0, 2e-3, 5e-3, 1e-2],
@@ -18,7 +18,7 @@ pub(super) fn rope() -> cdpr_model::robot::HysteresisTable {
     }
 }
 
-/// The simulator with everything that effects need.
+/// The simulator with every key that effects need.
 fn complete() -> Robot {
     let mut robot = simulator();
     for cable in &mut robot.cables {
@@ -41,7 +41,7 @@ fn stretching() -> impl Iterator<Item = Composition> {
     Composition::all().filter(|composition| composition.is_elastic() && !composition.drum)
 }
 
-/// At rest nothing moves: half a second after the start the pose is the one at which tensions balance the load.
+/// At rest nothing moves: half a second after the start the pose is still that at which tensions balance the load.
 #[test]
 fn every_composition_rests_where_its_tensions_balance_the_load() {
     let mut count = 0;
@@ -52,8 +52,8 @@ fn every_composition_rests_where_its_tensions_balance_the_load() {
         let steps = if plant.sags { 20 } else { 200 };
         hold(&plant, &mut state, 1e-3, steps);
         let moved = apart(&start.pose, &state.pose);
-        // residual of the balance, 1e-7 N and N·m, over a stiffness of 1e6 N/m and N·m/rad; a rope that sags remembers the strain at its outlet
-        // and stretches by the one in its middle, which is less by its weight
+        // residual of the balance, 1e-7 N and N·m, over a stiffness of 1e6 N/m and N·m/rad; a sagging rope has the
+        // memory of the strain at its outlet and stretches by that in its middle, which is less by its weight
         let remembers_with_weight = plant.sags && composition.stretch == cdpr_model::model::StretchEffect::Hysteresis;
         let tolerance = if remembers_with_weight { 1e-5 } else { 1e-9 };
         assert!(moved < tolerance, "{composition}: {moved:e}");
@@ -62,7 +62,8 @@ fn every_composition_rests_where_its_tensions_balance_the_load() {
     assert_eq!(count, 6 * cdpr_model::robot::LAWS.len());
 }
 
-/// Displaced and damped, every composition without memory comes to rest at `Model::forward` of its lengths; with hysteresis the equilibrium depends on the way.
+/// Displaced and damped, every composition without memory comes to rest at `Model::forward` of its lengths; with
+/// hysteresis the equilibrium depends on the path.
 #[test]
 fn a_damped_machine_comes_to_rest_at_the_forward_problem() {
     for composition in ["elastic", "pulley+elastic", "polynomial", "pulley+elastic+catenary"] {
@@ -88,7 +89,8 @@ fn a_damped_machine_comes_to_rest_at_the_forward_problem() {
     }
 }
 
-/// The linearisation against central differences of the wrench on the platform, for every composition: at rest, and with a load taken up.
+/// The linearisation against central differences of the wrench on the platform, for every composition: at rest, and
+/// with a load taken up.
 #[test]
 fn the_stiffness_is_the_derivative_of_the_wrench() {
     for composition in stretching() {
@@ -102,7 +104,7 @@ fn the_stiffness_is_the_derivative_of_the_wrench() {
             state.pulls.find(&plant, &state.pose, &mut state.cables).unwrap();
             state.pulls.wrench_at_rest() + state.load(&plant)
         };
-        // up one branch of a hysteresis: towards more strain in every cable there is no common direction, so that it is left out
+        // along one branch of a hysteresis no common direction has increasing strain in every cable, so it is left out
         if state.cables[0].memory.is_some() {
             continue;
         }
@@ -131,7 +133,7 @@ fn the_stiffness_is_the_derivative_of_the_wrench() {
     }
 }
 
-/// A load that is taken up hangs where the library says it hangs, in space and for a point.
+/// A load that is taken up hangs at the library's equilibrium, in space and for a point.
 #[test]
 fn a_load_leads_to_the_equilibrium_with_its_weight() {
     let plant = plant(simulator(), Composition::ELASTIC, 9000.0);
@@ -151,8 +153,8 @@ fn a_load_leads_to_the_equilibrium_with_its_weight() {
     assert!(apart(&found.pose, &state.pose) < 1e-9, "{:e}", apart(&found.pose, &state.pose));
 }
 
-/// A cable never pushes: neither a slack law nor a damper that is pressed together; and a damper of a slack cable pulls only while law and damper
-/// together do.
+/// A cable never pushes: neither a slack law nor a compressed damper; and a damper of a slack cable pulls only while
+/// the sum of law and damper is positive.
 #[test]
 fn law_and_damper_are_clipped_together() {
     let plant = plant(simulator(), Composition::ELASTIC, 5000.0);

@@ -1,4 +1,4 @@
-//! Quantities that no machine without losses loses, and how errors fall with the step.
+//! Quantities that a machine without losses conserves, and the fall of errors with the step.
 
 use nalgebra::Vector3;
 
@@ -25,13 +25,13 @@ fn a_free_body_keeps_energy_and_angular_momentum() {
     assert!((state.pose.rotation.norm() - 1.0).abs() < 1e-15);
     let moved = state.pose.position + state.inertia.center(&state.pose) - center;
     assert!((moved - momentum.linear * (20.0 / 604.5)).norm() < 1e-10, "the centre of mass goes straight");
-    // seen from the platform's origin, as a twist tells it
+    // relative to the platform's origin, as a twist is
     let (twist, arm) = (state.twist(), state.inertia.center(&state.pose));
     let seen = state.inertia.momentum(&state.pose, &twist);
     assert!((seen.angular - momentum.angular).norm() / momentum.angular.norm() < 1e-12, "{arm}");
 }
 
-/// A platform that air alone holds back slows down by exp(−D t/m), and turns about a principal axis ever slower by exp(−D t/J).
+/// A platform under air damping alone slows down as exp(−D t/m), and its turn about a principal axis as exp(−D t/J).
 #[test]
 fn damping_of_the_platform_slows_it_down() {
     let mut robot = simulator();
@@ -73,7 +73,8 @@ fn oscillation(energies: &[f64]) -> f64 {
     0.5 * (high - low) / energies[0]
 }
 
-/// At 1 ms over 60 s: the energy of the motion, averaged over a second, that is over ten periods and more, has no trend above 1e-6 of itself.
+/// At 1 ms over 60 s: the energy of the motion, averaged over a second, that is over ten periods and more, has a
+/// relative trend below 1e-6.
 #[test]
 fn a_conservative_robot_keeps_its_energy_for_a_minute() {
     let energies = energies(1e-3, 60.0);
@@ -93,8 +94,8 @@ fn the_oscillation_of_the_energy_falls_with_the_order_of_the_method() {
     assert!((3.5..5.5).contains(&order), "{order}");
 }
 
-/// Pose after one second at several steps: the error falls with the fourth power, for a robot in space with every speed and turn, over pulleys
-/// or points, with dampers and without, and for one in a plane.
+/// Pose after one second at several steps: the error falls with the fourth power, for a robot in space with
+/// translations and rotations, over pulleys or points, with dampers and without, and for one in a plane.
 #[test]
 fn the_method_has_order_four() {
     for (robot, damping, level, composition) in [
@@ -119,7 +120,7 @@ fn the_method_has_order_four() {
     }
 }
 
-/// A snapshot put back gives the same bytes, whatever happened since.
+/// A restored snapshot gives the same bits, independent of the steps in between.
 #[test]
 fn a_restored_snapshot_goes_on_to_the_same_bits() {
     let plant = plant(simulator(), Composition::ELASTIC, 500.0);
@@ -137,7 +138,8 @@ fn a_restored_snapshot_goes_on_to_the_same_bits() {
     assert_eq!(first.pose.numbers().map(f64::to_bits), again.pose.numbers().map(f64::to_bits));
 }
 
-/// In one step too many, the same numbers of momentum: the rate of change is the wrench about the centre of mass.
+/// Acceleration and wrench are inverse to each other, and the rate of the momentum is the wrench about the centre of
+/// mass.
 #[test]
 fn acceleration_and_wrench_are_inverse_to_each_other_and_to_the_motion() {
     let plant = plant(simulator(), Composition::ELASTIC, 0.0);

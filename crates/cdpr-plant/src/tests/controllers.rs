@@ -1,4 +1,4 @@
-//! The seam of controllers: when they are asked, what they see, and what winches are told between two questions.
+//! The interface of controllers: times of calls, their inputs, and the commands between two calls.
 
 use std::convert::Infallible;
 use std::ops::ControlFlow;
@@ -12,10 +12,10 @@ use super::*;
 const PLATE: &str = "[machine]\nrobot = \"plate\"\ncable_damping_N_s_per_m = 4.0\n[start]\npose = [0.6, 0.6, 0]\ntension_method = \"closed-form\"\n\
                      tension_limits_N = [60, 140]\n[time]\nduration_s = 0.1\nrecord_s = 0.001\n";
 
-/// Question as it was asked: time of the answer, time and tension of the first cable that were seen.
+/// A recorded call: time of the command, and the time and tension of the first cable that the controller saw.
 type Question = (f64, f64, f64);
 
-/// Shortens the first cable by 0.1 mm with every question, and notes all of them.
+/// Shortens the first cable by 0.1 mm at every call, and records all calls.
 #[derive(Clone, Debug)]
 struct Stairs {
     period: Option<f64>,
@@ -76,7 +76,7 @@ fn changes(rows: &[PlantState]) -> Vec<f64> {
     rows.iter().map(|row| 1e4 * (row.cables[0].controlled_length - start)).collect()
 }
 
-/// Without a period the question is of every step: for its end, by what is measured at its start.
+/// Without a period there is a call for every step: for its end, with measurements from its start.
 #[test]
 fn a_controller_without_a_period_is_asked_for_every_step() {
     let stairs = Stairs::every(None);
@@ -92,7 +92,8 @@ fn a_controller_without_a_period_is_asked_for_every_step() {
     assert!((changes(&rows)[100] + 100.0).abs() < 1e-9);
 }
 
-/// Questions stand at multiples of the period, on the grid of steps or beside it, with either integrator; the steps of the grid stay where they are.
+/// Calls lie at multiples of the period, on the grid of steps or off it, with either integrator; the steps of the grid
+/// do not change.
 #[test]
 fn a_period_is_kept_beside_the_grid_and_by_either_integrator() {
     for (period, count, steps) in [(0.02, 5, 100), (0.0075, 14, 107), (0.0003, 334, 400)] {
@@ -107,13 +108,14 @@ fn a_period_is_kept_beside_the_grid_and_by_either_integrator() {
             for (index, (time, seen, _)) in asked.iter().enumerate() {
                 assert!((time - period * index as f64).abs() < 1e-9 && time == seen, "{period}: {time}");
             }
-            // a run begins anew: the count of before is forgotten
+            // a run starts anew: the count of an earlier one is forgotten
             assert!((changes(&rows)[100] + count as f64).abs() < 1e-9, "{integrator}: {:?}", changes(&rows)[100]);
         }
     }
 }
 
-/// Held, a new length is there a step after the question; on lines it is there when the next one is asked. Both integrators have the same lengths.
+/// Held, a new length is reached a step after the call; on lines, at the next call. Both integrators have the same
+/// lengths.
 #[test]
 fn commands_are_held_or_go_on_lines_between_two_questions() {
     for integrator in ["symplectic", "error-controlled"] {
@@ -127,7 +129,7 @@ fn commands_are_held_or_go_on_lines_between_two_questions() {
         for row in 0..=100_usize {
             let expected = if row == 0 { 0.0 } else { -1.0 - ((row - 1) / 20) as f64 };
             assert!((held[row] - expected).abs() < 1e-9, "{integrator} held, row {row}: {}", held[row]);
-            // the first answer has no line that leads to it
+            // no line leads to the first answer
             let expected = match row {
                 0 => 0.0,
                 1..=20 => -1.0,
@@ -138,7 +140,7 @@ fn commands_are_held_or_go_on_lines_between_two_questions() {
     }
 }
 
-/// A clone of a simulation goes on alone, with the state of its controller, to the same bits.
+/// A clone of a simulation continues independently, with the state of its controller, to the same bits.
 #[test]
 fn a_cloned_simulation_has_a_controller_of_its_own() {
     let whole = simulation("", Stairs::every(Some(0.03)));
@@ -146,7 +148,7 @@ fn a_cloned_simulation_has_a_controller_of_its_own() {
     assert_eq!(first, second);
 }
 
-/// A controller that has no command, one for other winches, and one without a time between its questions.
+/// A controller that has no command, one for other winches, and one whose period is not positive.
 #[test]
 fn controllers_that_cannot_go_on_end_the_run_with_their_reason() {
     #[derive(Clone, Debug)]
@@ -182,7 +184,8 @@ fn controllers_that_cannot_go_on_end_the_run_with_their_reason() {
     assert!(error.to_string().contains("above 0 s"), "{error}");
 }
 
-/// Commands that depend on what is measured bend anywhere: the integrator with error control stops at every step of the scenario then.
+/// Commands that depend on measurements may have kinks anywhere: the integrator with error control then stops at every
+/// step of the scenario.
 #[test]
 fn error_control_asks_a_controller_that_looks_at_every_step_of_the_scenario() {
     let stairs = Stairs::every(None);
@@ -194,7 +197,7 @@ fn error_control_asks_a_controller_that_looks_at_every_step_of_the_scenario() {
     assert_eq!(asked.lock().unwrap().len(), 100);
 }
 
-/// Kinds of other winches, and keys of other kinds, are refused with the words that mend it.
+/// Kinds for other winches, and keys of other kinds, are refused with the words that resolve it.
 #[test]
 fn kinds_of_control_are_refused_with_what_they_are_for() {
     let read = |control: &str| {

@@ -6,7 +6,7 @@ use super::*;
 fn with_drums(coulomb: f64, damping: f64) -> Plant {
     let mut robot = simulator();
     for cable in &mut robot.cables {
-        // the energy of a spring is a function of q − q_θ: drums give and take what cables store
+        // the energy of a spring is a function of q − q_θ: drums exchange energy with the cables
         cable.stiffness = Some(CableStiffness::Spring(2e5));
         cable.winch.radius = Some(0.1525);
         cable.winch.drum_inertia = Some(0.6);
@@ -17,7 +17,7 @@ fn with_drums(coulomb: f64, damping: f64) -> Plant {
     Plant::with_damping(model, Winches::Drums, damping).unwrap()
 }
 
-/// Torques that hold the start do work τ φ: with it the energy of platform, cables and drums stays.
+/// Torques that hold the start do the work τ φ: with it the energy of platform, cables and drums is constant.
 #[test]
 fn drums_give_and_take_what_cables_store() {
     let plant = with_drums(0.0, 0.0);
@@ -44,7 +44,7 @@ fn drums_give_and_take_what_cables_store() {
     assert!((energy(&state) - start).abs() < 1e-6 * moving, "{:e}", (energy(&state) - start) / moving);
 }
 
-/// Friction holds drums below its torque, and above it they slide; a brake (commands of lengths) holds them always.
+/// Friction holds drums below its torque, and above it they slide; a brake (commands of lengths) always holds them.
 #[test]
 fn friction_sticks_and_slides() {
     let plant = with_drums(50.0, 3000.0);
@@ -70,7 +70,7 @@ fn friction_sticks_and_slides() {
 #[test]
 fn a_drum_on_a_cable_has_its_natural_frequency() {
     let mut plant = with_drums(0.0, 0.0);
-    // a platform that does not give way
+    // a platform that is practically fixed
     plant.inertia.body.mass = 1e9;
     plant.inertia.body.inertia *= 1e9;
     plant.drums.iter_mut().for_each(|drum| *drum = Drum { inertia: 0.6, ..*drum });

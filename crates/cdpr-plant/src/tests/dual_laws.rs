@@ -1,5 +1,5 @@
-//! Laws of cables in dual numbers: straight ones by their polynomial or hysteresis, those with weight by Newton's steps on the equations of the
-//! converged catenary, whose last one differentiates it implicitly.
+//! Laws of cables in dual numbers: straight ones from their polynomial or hysteresis, those with weight by Newton steps
+//! on the equations of the converged catenary, of which the last one differentiates it implicitly.
 
 use cdpr_core::cable::outlet::bent;
 use nalgebra::{Const, Matrix4, SVector};
@@ -14,13 +14,13 @@ use cdpr_model::cable::stretch::Stretch;
 use cdpr_model::model::Model;
 use cdpr_model::scalar::{Select, Smooth, add, dot, scale, sub};
 
-/// Variables of a motion.
+/// Number of variables of a motion.
 pub(super) const COUNT: usize = 50;
 
-/// Number with the derivatives by all of them.
+/// Number with the derivatives by all variables.
 pub(super) type Dual = DualVec<f64, Const<COUNT>>;
 
-/// Tension of a cable on the platform by its law, its direction there, and how much more it has at the outlet.
+/// Tension of a cable on the platform from its law, its direction there, and the excess of the tension at the outlet.
 pub(super) fn law_of(
     model: &Model,
     cable: usize,
@@ -53,7 +53,7 @@ fn stretch(law: &CableLaw, coefficients: &[f64], strain: Dual) -> (Dual, Dual) {
     (strain * power(&|_, c| Dual::from(c)), power(&|k, c| Dual::from(c * f64::from(k + 1))))
 }
 
-/// Tension of a straight cable by its law, below zero too.
+/// Tension of a straight cable from its law, also below zero.
 fn straight(law: &CableLaw, coefficients: &[f64], length: Dual, unstrained: Dual) -> Dual {
     let Kind::Linear(linear, _) = law.kind else {
         // c_s T(ε) + (q_θ + q_h)(1 + ε) = q + q_h: Newton's steps in dual numbers end at value and derivatives
@@ -71,7 +71,7 @@ fn straight(law: &CableLaw, coefficients: &[f64], length: Dual, unstrained: Dual
     Elasticity { by_length, by_controlled_length, constant }.tension(length, unstrained).value
 }
 
-/// The pull of a cable with weight on the platform and its tension at the outlet, from a state nearby.
+/// The pull of a cable with weight on the platform and its tension at the outlet, from a nearby state.
 fn sagging(
     law: &CableLaw,
     coefficients: &[f64],
@@ -138,7 +138,7 @@ impl Equations<'_> {
             Stretch::Rigid => number(0.0),
             Stretch::Linear(compliance) => number(*compliance) * tension,
             Stretch::Hysteresis(law, memory) => law.strain(tension, memory).0,
-            // of the laws without a memory that of the file's polynomial is looked at here
+            // other laws without a memory: here the file's polynomial
             _ => {
                 // f = Σ c_k ε^k by Horner's rule, inverted by Newton's
                 let mut strain = tension / number(self.coefficients[0]);

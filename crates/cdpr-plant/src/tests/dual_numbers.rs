@@ -1,5 +1,6 @@
-//! A and B of the linearisation against dual numbers of the whole motion, written anew: outlets and laws in dual numbers, Newton and Euler about the
-//! centre of mass instead of the platform origin, drums by the radius that a spool loses with every turn.
+//! A and B of the linearisation against dual numbers of the whole motion, written independently: outlets and laws in
+//! dual numbers, Newton and Euler about the centre of mass instead of the platform origin, drums by the radius that a
+//! spool loses with every turn.
 
 use nalgebra::{Const, DMatrix, SVector};
 
@@ -11,7 +12,8 @@ use cdpr_model::cable::stretch::hysteresis::{Memory, TRANSITION_LIMIT};
 use cdpr_model::model::place_pulleys;
 use cdpr_model::scalar::{Real, add, cross, dot, rotate, rotate_back, scale, sub};
 
-/// Places of the variables: displacement and twist (six each), angles and speeds of drums, wrench, controlled lengths or torques, and their rates.
+/// First index of each group of variables: displacement and twist (six each), angles and speeds of drums, wrench,
+/// controlled lengths or torques, and their rates.
 const POSE: usize = 0;
 const TWIST: usize = 6;
 const ANGLE: usize = 12;
@@ -36,7 +38,7 @@ fn gradient(dual: &Dual) -> SVector<f64, COUNT> {
     dual.eps.unwrap_generic(Const, Const::<1>)
 }
 
-/// R a of a platform turned by the variables of its pose.
+/// R a for a platform turned by the variables of its pose.
 fn turned(pose: &Pose, a: [Dual; 3]) -> [Dual; 3] {
     let a = rotate(&pose.rotation_rows().map(|row| row.map(Dual::from)), a);
     add(a, cross(vector([0.0; 3], POSE + 3), a))
@@ -80,7 +82,7 @@ impl Twin<'_> {
         (radius * (angle - angle.re) + motion.controlled_length, radius * speed, radius)
     }
 
-    /// Pull of a cable on the platform, its moment arm, its tension at the drum and the radius of that.
+    /// Pull of a cable on the platform, its moment arm, its tension at the drum and the drum's radius.
     fn pull(&self, cable: usize) -> ([Dual; 3], [Dual; 3], Dual, Dual) {
         let (model, motion) = (self.plant.model(), &self.state.cables[cable]);
         let (length, rate, radius) = self.winch(cable);
@@ -96,8 +98,8 @@ impl Twin<'_> {
         (scale(tension, direction), arm, at_drum, radius)
     }
 
-    /// d at the state, of which the rate of a resting cable leaves nothing to differentiate. Of ropes the plant's own: where a motion turns, their
-    /// stiffness has a step.
+    /// Damping coefficient d at the state, which needs no derivative since the elongation rate is zero. For ropes the
+    /// plant's own value: their stiffness jumps where the motion reverses.
     fn damping(&self, cable: usize) -> f64 {
         let (motion, law) = (&self.state.cables[cable], self.plant.model().law(cable));
         match law.continued_tension(motion.length, motion.unstrained_length(), None) {
@@ -126,7 +128,7 @@ impl Twin<'_> {
         moment = add(moment, constants(one, [constant[3], constant[4], constant[5]]));
         let body = inertia.body;
         let center = turned(pose, constants(one, body.center_of_mass));
-        // weight acts in the centre of mass, whose moment is taken about it
+        // weight acts at the centre of mass, about which the moment is taken
         let (weight, _) = self.plant.load().weight();
         let weight = weight + self.plant.gravity * self.state.added.mass;
         let about_center = sub(moment, cross(center, force));
@@ -181,7 +183,7 @@ fn expected(plant: &Plant, state: &PlantState) -> (DMatrix<f64>, DMatrix<f64>) {
     (a, b)
 }
 
-/// Largest difference of two matrices against the largest entry of each column's kind.
+/// Largest difference of two matrices relative to the largest entry of each kind of columns.
 fn difference(found: &DMatrix<f64>, expected: &DMatrix<f64>) -> f64 {
     assert_eq!(found.shape(), expected.shape());
     let gap = |(a, b): (nalgebra::DVectorView<'_, f64>, nalgebra::DVectorView<'_, f64>)| {
@@ -195,7 +197,7 @@ fn difference(found: &DMatrix<f64>, expected: &DMatrix<f64>) -> f64 {
         .fold(0.0, f64::max)
 }
 
-/// The simulator with every key that its compositions ask for.
+/// The simulator with every key that its compositions need.
 fn complete() -> Robot {
     let mut robot = simulator();
     (robot.platform.damping, robot.platform.rotational_damping) = (Some(70.0), Some(30.0));
@@ -218,8 +220,8 @@ fn complete() -> Robot {
 /// Rounding of lengths of 12 m against elongations of 0.1 m and less, through the mass matrix.
 const ROUNDING: f64 = 1e-10;
 
-/// Points and pulleys, laws by actual and unstrained length and by a polynomial, ideal winches and spools, dampers of both kinds, a load that was taken
-/// up off the centre; all cables taut, some slack, one broken.
+/// Points and pulleys, laws by actual and unstrained length and by a polynomial, ideal winches and spools, dampers of
+/// both kinds, a load taken up off the centre; all cables taut, some slack, one broken.
 #[test]
 fn the_linearisation_agrees_with_dual_numbers() {
     let mut worst: f64 = 0.0;
@@ -250,8 +252,8 @@ fn the_linearisation_agrees_with_dual_numbers() {
     println!("simulator: A and B agree to {worst:.1e}");
 }
 
-/// Ropes that remember, on a branch that their memory leads to smoothly, and cables with weight: by catenaries and finite elements, over pulleys, of
-/// every law of stretch, held by drums.
+/// Ropes with hysteresis, on a branch that their memory reaches smoothly, and cables with weight: by catenaries and
+/// finite elements, over pulleys, with every law of stretch, held by drums.
 #[test]
 fn the_linearisation_of_ropes_and_of_cables_with_weight_agrees_with_dual_numbers() {
     let mut worst: f64 = 0.0;
@@ -297,7 +299,7 @@ fn the_linearisation_of_a_planar_machine_agrees_with_dual_numbers() {
     println!("plate: A and B agree to {worst:.1e}");
 }
 
-/// A and B of a state; their equilibrium is made exact by a wrench, as the linearisation takes it.
+/// Compares A and B of a state; a wrench makes its equilibrium exact, as the linearisation assumes.
 fn check(plant: &Plant, state: &mut PlantState, slack: &[usize]) -> f64 {
     check_within(plant, state, slack, ROUNDING)
 }
@@ -321,7 +323,8 @@ fn check_within(plant: &Plant, state: &mut PlantState, slack: &[usize], rounding
     off[0].max(off[1])
 }
 
-/// A moving machine: the acceleration in every degree of freedom is the one about the centre of mass.
+/// For a moving machine, the acceleration in every degree of freedom agrees with the equations about the centre of
+/// mass.
 #[test]
 fn forward_dynamics_agree_with_equations_about_the_centre_of_mass() {
     for composition in ["pulley+polynomial", "pulley+hysteresis", "elastic+catenary", "pulley+polynomial+catenary"] {
@@ -339,7 +342,8 @@ fn forward_dynamics_agree_with_equations_about_the_centre_of_mass() {
     }
 }
 
-/// The wrench of an acceleration is the rate of the momentum by a dual number of time, and the mass matrix the momentum's derivative by the twist.
+/// The wrench of an acceleration is the rate of the momentum by a dual number of time, and the mass matrix is the
+/// momentum's derivative by the twist.
 #[test]
 fn inverse_dynamics_are_the_derivative_of_the_momentum_by_dual_numbers() {
     type Time = num_dual::DualVec<f64, Const<7>>;
@@ -370,7 +374,7 @@ fn inverse_dynamics_are_the_derivative_of_the_momentum_by_dual_numbers() {
     let spin = ahead(spin);
     let slope = |dual: &Time, index: usize| dual.eps.unwrap_generic(Const, Const::<1>)[index];
     let place: [f64; 3] = center.map(|x| x.re);
-    // about the platform origin: L_c + s × p, of which s does not count as moving with the force
+    // about the platform origin: L_c + s × p, where s does not move in the derivative
     let about_origin = |index: usize| {
         let (force, turning) = (linear.map(|x| slope(&x, index)), spin.map(|x| slope(&x, index)));
         let moment = add(turning, cross(place, force));

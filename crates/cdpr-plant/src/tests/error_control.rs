@@ -1,4 +1,4 @@
-//! Runs by a library's integrator with error control against the symplectic step: two methods, one machine.
+//! Runs of a library's integrator with error control against the symplectic step: two methods, one machine.
 
 use std::convert::Infallible;
 use std::ops::ControlFlow;
@@ -8,7 +8,8 @@ use super::super::{Scenario, Simulation};
 use super::*;
 use cdpr_model::geometry::Wrench;
 
-/// A plate with dampers that stays taut while its lengths change, one of its cables slips and a mass is taken up, all between two steps.
+/// A plate with dampers that stays taut while its lengths change, one of its cables slips and a wrench acts, all
+/// between two steps.
 fn scenario(step: f64, more: &str) -> String {
     format!(
         "[machine]\nrobot = \"plate\"\ncable_damping_N_s_per_m = 4.0\n[start]\npose = [0.6, 0.6, 0]\ntension_method = \"closed-form\"\n\
@@ -35,7 +36,8 @@ fn end(text: &str) -> (Vec<PlantState>, Vec<(f64, &'static str)>, u64) {
     (rows, summary.events.iter().map(|event| (event.time, event.happening.kind())).collect(), summary.steps)
 }
 
-/// The gap falls with the fourth power of the symplectic step, whose order it is; rows, events and tensions are the same.
+/// The gap falls with the fourth power of the symplectic step, which is its order; rows, events and tensions are the
+/// same.
 #[test]
 fn free_runs_differ_by_the_order_of_the_symplectic_step() {
     let (exact, events, _) = end(&scenario(1e-3, "integrator = \"error-controlled\"\ntolerance = 1e-12\n"));
@@ -62,7 +64,7 @@ fn free_runs_differ_by_the_order_of_the_symplectic_step() {
     assert!(gap(1e-3) < 1e-10, "{:e}", gap(1e-3));
 }
 
-/// The tolerance is what the result is wrong by, and looking more often changes nothing else.
+/// The error of the result follows the tolerance, and more frequent rows change nothing else.
 #[test]
 fn results_follow_the_tolerance_and_not_the_rows() {
     let at = |tolerance: &str, record: &str| {
@@ -79,7 +81,7 @@ fn results_follow_the_tolerance_and_not_the_rows() {
     assert!(off < 1e-5 && off > 0.0 && few < most, "{off:e} {few} {most}");
 }
 
-/// Drums that turn under torques, a wrench that grows, in space.
+/// Drums that turn under torques and a growing wrench, in space.
 #[test]
 fn drums_and_growing_wrenches_agree_with_small_symplectic_steps() {
     let mut robot = simulator();
@@ -101,7 +103,7 @@ fn drums_and_growing_wrenches_agree_with_small_symplectic_steps() {
     let [coarse, fine] = [400, 800].map(|count| {
         let mut state = start.clone();
         for index in 0..count {
-            // the mean of a step: what a growing wrench changes within it falls with the square of the step
+            // the mean over a step: the effect of the wrench's growth within it falls with the square of the step
             state.external = wrench * ((f64::from(index) + 0.5) / f64::from(count));
             plant.step(&mut state, &Command::torques(&torques), time / f64::from(count)).unwrap();
         }
@@ -116,7 +118,8 @@ fn drums_and_growing_wrenches_agree_with_small_symplectic_steps() {
     assert!((controlled.time - time).abs() < 1e-15);
 }
 
-/// Runs that jump are refused in words, with their line; a tolerance out of reach is told, and leaves the state as it was.
+/// Runs with jumps are refused in words, with their line; a tolerance out of reach is reported and leaves the state
+/// unchanged.
 #[test]
 fn what_error_control_is_not_for_is_refused() {
     let controlled = "integrator = \"error-controlled\"\n";
@@ -125,7 +128,7 @@ fn what_error_control_is_not_for_is_refused() {
     assert!(wrong.to_string().contains("from 1e-13 to 1e-3") && wrong.line() == Some(27), "{wrong}");
     let idle = read(&scenario(1e-3, "tolerance = 1e-9\n")).unwrap_err();
     assert!(idle.to_string().contains("belongs to integrator"), "{idle}");
-    // a step of the file that fixed steps could not take is no matter
+    // a step of the file that is too large for fixed steps has no effect here
     assert!(Simulation::new(&read(&scenario(0.1, controlled)).unwrap(), plate()).is_ok());
     let drums = scenario(1e-3, controlled).replace("robot = \"plate\"\n", "robot = \"plate\"\nwinches = \"drums\"\n");
     let (from, to) = (drums.find("[control]").unwrap(), drums.find("[[event]]").unwrap());
@@ -140,7 +143,7 @@ fn what_error_control_is_not_for_is_refused() {
     assert!(error.to_string().contains("sticks and slides"), "{error}");
     assert_eq!(error.key().map(|key| (key.table, key.key)), Some(("time", "integrator")));
 
-    // dampers that an explicit rule follows in steps of 20 ns, and a wrench that is none
+    // dampers that an explicit rule follows in steps of 20 ns, and an infinite wrench
     for (damping, wrench, told) in [(1e9, 10.0, "use a larger tolerance"), (0.0, f64::INFINITY, "beyond all numbers")] {
         let plant = plant(plate(), Composition::ELASTIC, damping);
         let mut state = at_home(&plant, 60.0);

@@ -1,4 +1,4 @@
-//! Friction of drums and pulleys: what it takes, where it holds, and its limits.
+//! Friction of drums and pulleys: its losses, its hold, and its limits.
 
 use super::*;
 use cdpr_model::model::place_pulleys;
@@ -25,7 +25,7 @@ fn coulomb(cable: &mut Cable, sliding: f64, standing: Option<(f64, f64)>) {
     cable.winch.stribeck_speed = standing.map(|(_, speed)| speed);
 }
 
-/// Torques that hold the start and this much more.
+/// Torques that hold the start, plus `more` (N·m).
 fn torques(plant: &Plant, rest: &PlantState, more: f64) -> Vec<f64> {
     plant.holding_torques(rest).unwrap().iter().map(|torque| torque + more).collect()
 }
@@ -36,7 +36,7 @@ fn run(plant: &Plant, state: &mut PlantState, torques: &[f64], step: f64, second
     }
 }
 
-/// Power that friction takes (W), written anew from the speeds of the drums and the tensions at the outlets.
+/// Power lost to friction (W), computed independently from the speeds of the drums and the tensions at the outlets.
 fn loss(plant: &Plant, state: &PlantState) -> f64 {
     let robot = plant.model().robot();
     let of = |(index, cable): (usize, &super::super::CableMotion)| {
@@ -47,14 +47,14 @@ fn loss(plant: &Plant, state: &PlantState) -> f64 {
         let wrap = plant.model().path(index, &state.pose).unwrap().0.wrap_angle;
         let exponent = robot.cables[index].pulley_friction.unwrap_or(0.0) * wrap;
         let passed_on = if speed > 0.0 { (-exponent).exp() } else { exponent.exp() };
-        // paid out the drum takes up less than the outlet gives, reeled in it gives more
+        // paid out, the drum's side of the pulley has less tension than the outlet; reeled in, more
         let at_pulley = cable.tension * 0.1525 * speed * (1.0 - passed_on);
         dry * speed.abs() + winch.viscous_friction.unwrap() * speed * speed + at_pulley
     };
     state.cables.iter().enumerate().map(of).sum()
 }
 
-/// While drums slide: stored energy + what friction took = work of the motors.
+/// While drums slide: stored energy + friction losses = work of the motors.
 #[test]
 fn what_friction_takes_is_missing_in_the_energy() {
     for (more, name) in [(-80.0, "paid out"), (200.0, "reeled in")] {
@@ -66,7 +66,7 @@ fn what_friction_takes_is_missing_in_the_energy() {
         let rest = at_home(&plant, 6000.0);
         let told = torques(&plant, &rest, more);
         let mut state = rest.clone();
-        // past the first turn of every drum, whose direction then stays for a while
+        // past the first reversal of every drum, after which its direction is constant for a while
         run(&plant, &mut state, &told, 1e-3, 0.005);
         let begin = state.clone();
         let energy = |state: &PlantState| plant.energy(state).unwrap().total();
@@ -93,15 +93,15 @@ fn what_friction_takes_is_missing_in_the_energy() {
     }
 }
 
-/// Without a difference the laws with more terms are today's, to the last bit: static friction that is Coulomb's, a Stribeck speed that no drum
-/// reaches or that every drum exceeds, and a pulley without friction.
+/// In their limits the laws with more terms agree with the simple ones to the last bit: static friction equal to
+/// Coulomb's, a Stribeck speed that no drum reaches or that every drum exceeds, and a pulley without friction.
 #[test]
 fn the_limits_of_friction_are_the_laws_without_it() {
     let end = |change: &dyn Fn(&mut Cable)| {
         let plant = machine(change);
         let rest = at_home(&plant, 6000.0);
         let mut state = rest.clone();
-        // all drums turn already: one that begins to takes its static friction at least at its first look
+        // all drums already turn: one that starts has its static friction at least at its first evaluation
         for cable in &mut state.cables {
             (cable.drum_speed, cable.controlled_length_rate) = (0.5, 0.5 * 0.1525);
         }
@@ -130,7 +130,8 @@ fn the_limits_of_friction_are_the_laws_without_it() {
     assert!((ratio - 10.0).abs() < 0.1, "{ratio}");
 }
 
-/// A drum that stands begins to turn where its torque leaves the span that Coulomb, Stribeck and the pulley hold.
+/// A drum at rest begins to turn where its torque leaves the range held by Coulomb and Stribeck friction and the
+/// pulley.
 #[test]
 fn drums_stick_up_to_their_static_friction_and_that_of_the_pulley() {
     let plant = machine(|cable| {
@@ -154,7 +155,7 @@ fn drums_stick_up_to_their_static_friction_and_that_of_the_pulley() {
     assert!(turned(back + 0.1) < 0.0 && turned(-0.1 - out) > 0.0);
 }
 
-/// Drums that stick, slide and turn round, snapshot and put back.
+/// Drums that stick, slide and reverse, with a snapshot that is restored.
 #[test]
 fn a_restored_snapshot_of_drums_with_friction_goes_on_to_the_same_bits() {
     let plant = machine(|cable| {
@@ -172,7 +173,7 @@ fn a_restored_snapshot_of_drums_with_friction_goes_on_to_the_same_bits() {
     assert_eq!(state, again);
 }
 
-/// A pulley that turns with the rim of its drum is inertia of the drum, by the square of the ratio of their radii.
+/// A pulley that turns with its drum's rim adds inertia to the drum, by the squared ratio of their radii.
 #[test]
 fn inertia_of_a_pulley_counts_at_its_drum() {
     let plain = machine(|cable| cable.winch.drum_inertia = Some(0.6 + 0.4 * (0.1525_f64 / 0.161).powi(2)));
@@ -182,7 +183,7 @@ fn inertia_of_a_pulley_counts_at_its_drum() {
     }
 }
 
-/// Speeds that friction falls with make drums grow faster: the step must follow them.
+/// If friction falls with speed, drums accelerate faster: the step must follow them.
 #[test]
 fn steps_too_large_for_a_steep_fall_of_friction_are_refused() {
     let scenario = |speed: f64, more: &str, change: &dyn Fn(&mut Cable)| {
@@ -202,7 +203,7 @@ fn steps_too_large_for_a_steep_fall_of_friction_are_refused() {
     // 30 N·m √(2/e)/1e-3 rad/s over 0.6 kg m²
     let error = scenario(1e-3, "", &same).unwrap_err().to_string();
     assert!(error.contains("too large") && error.contains("step_s = 2.0e-5"), "{error}");
-    // an integrator with error control does not hold what jumps
+    // an integrator with error control cannot follow jumps
     let controlled = "integrator = \"error-controlled\"\n";
     let pulley = |cable: &mut Cable| {
         coulomb(cable, 0.0, None);

@@ -3,10 +3,10 @@
 use super::oracle::reference;
 use super::*;
 
-/// Fine step, in which the excursion is looked for (s).
+/// Fine step for the search of the excursion (s).
 const FINE: f64 = 2e-5;
 
-/// The simulator on a swing of this size.
+/// The simulator displaced by this size and moving.
 fn swinging(size: f64, damping: f64) -> (Plant, PlantState) {
     let plant = plant(simulator(), Composition::ELASTIC, damping);
     let shift = [0.004, -0.003, 0.003, 0.002, -0.002, 0.003].map(|part| size * part);
@@ -16,7 +16,8 @@ fn swinging(size: f64, damping: f64) -> (Plant, PlantState) {
     (plant, state)
 }
 
-/// Least law and damper of all cables on the way, not clipped (N), and the times between which it lies below zero (s).
+/// Least unclipped sum of law and damper of all cables along the motion (N), and the interval in which it is negative
+/// (s).
 fn excursion(size: f64, damping: f64, step: f64) -> (f64, f64, f64) {
     let (plant, mut state) = swinging(size, damping);
     let (mut least, mut from, mut until) = (f64::MAX, f64::MAX, 0.0);
@@ -32,7 +33,7 @@ fn excursion(size: f64, damping: f64, step: f64) -> (f64, f64, f64) {
     (least, from, until)
 }
 
-/// A swing in which one cable is slack for some tenths of a millisecond, and the time at which it goes slack (s).
+/// A motion in which one cable is slack for some tenths of a millisecond, and the time at which it goes slack (s).
 fn grazing(damping: f64) -> (f64, f64) {
     let (mut taut, mut slack) = (1.0, 12.0);
     loop {
@@ -47,7 +48,8 @@ fn grazing(damping: f64) -> (f64, f64) {
     }
 }
 
-/// A millisecond in whose middle a cable is slack, taut at both ends: cut there it is as exact as any other step.
+/// A millisecond in the middle of which a cable is slack, and taut at both ends: with a cut there it is as accurate as
+/// any other step.
 #[test]
 fn a_cable_that_is_slack_within_one_step_only_is_seen() {
     for damping in [0.0, 300.0] {
@@ -70,12 +72,12 @@ fn a_cable_that_is_slack_within_one_step_only_is_seen() {
             }
             let is_taut = |state: &PlantState| state.cables.iter().all(|cable| cable.tension > 0.0);
             assert!(is_taut(&start) && is_taut(&state), "neither end shows it");
-            // what a wrong momentum leads to
+            // lets the error of the momentum become one of the pose
             hold(&plant, &mut state, 1e-4, 100);
             gaps[gap] = apart(&reference(&plant, &start, damping, 0.011), &state.pose);
         }
         println!("damping {damping}: {:.1e} m cut, {:.1e} m uncut", gaps[0], gaps[1]);
-        // with dampers the force has its kink within a kick, at a fixed pose
+        // with dampers the kink of the force lies within a kick, at a fixed pose
         let tolerance = if damping == 0.0 { 2e-12 } else { 1e-9 };
         assert!(gaps[0] < tolerance && gaps[1] > 5.0 * gaps[0], "{damping}: {gaps:?}");
     }

@@ -1,4 +1,4 @@
-//! Limits judged at every step, runs that end early, and what is known of a run before it.
+//! Limits judged at every step, runs that end early, and the volume of a run known before it.
 
 use std::convert::Infallible;
 use std::ops::ControlFlow;
@@ -37,7 +37,7 @@ struct Figures {
     duration: f64,
 }
 
-/// The figures of every cable and limit from the stretches of time that a run found.
+/// The figures of every cable and limit from the intervals that a run found.
 fn figures(found: &[Violation]) -> Vec<((usize, Option<&'static str>), Figures)> {
     let mut all: Vec<((usize, Option<&'static str>), Figures)> = Vec::new();
     for one in found {
@@ -54,7 +54,7 @@ fn figures(found: &[Violation]) -> Vec<((usize, Option<&'static str>), Figures)>
     all
 }
 
-/// The figures of a limit from rows at every step.
+/// The figures of a limit computed from rows at every step.
 fn of_rows(rows: &[PlantState], (cable, limit): (usize, Option<&'static str>)) -> Figures {
     let tension = |row: &PlantState| row.cables[cable].tension;
     let is_largest = limit == Some("tension_max_N");
@@ -67,7 +67,7 @@ fn of_rows(rows: &[PlantState], (cable, limit): (usize, Option<&'static str>)) -
     }
 }
 
-/// A plate that swings for a second between its two rows: the steps show what rows at every step show.
+/// A plate that swings for a second between its two rows: its violations are those computed from rows at every step.
 #[test]
 fn limits_are_judged_at_every_step_and_not_at_rows() {
     let text = PLATE.to_owned() + "displacement = [0.005, 0, 0]\n[time]\nduration_s = 1.0\nrecord_s = ";
@@ -89,7 +89,7 @@ fn limits_are_judged_at_every_step_and_not_at_rows() {
     assert!(often.violations.len() > found.len(), "stretches less than a record apart are one");
     let low = found.iter().filter(|(key, _)| key.1 == Some("tension_min_N")).map(|(_, figures)| figures.worst);
     assert_eq!(low.fold(f64::INFINITY, f64::min), summary.tension_min, "the least tension is that of the worst limit");
-    // steps with error control are fewer, and judged each
+    // steps with error control are fewer, and each is judged
     let (_, controlled) = run(&(text + "1.0\nintegrator = \"error-controlled\"\n"), limited());
     for ((key, one), (other_key, other)) in found.iter().zip(figures(&controlled.violations)) {
         assert_eq!(*key, other_key);
@@ -98,7 +98,8 @@ fn limits_are_judged_at_every_step_and_not_at_rows() {
     }
 }
 
-/// Tensions at a limit keep it, a cable that breaks breaks no limit, and one that is slack breaks one where a least tension is stated.
+/// Tensions at a limit do not break it, a cable that breaks breaks no limit, and a slack one breaks a limit if a least
+/// tension is stated.
 #[test]
 fn rounding_breaks_and_slack_cables_are_judged_as_what_they_are() {
     let still = PLATE.to_owned() + "[time]\nduration_s = 0.2\n";
@@ -122,7 +123,7 @@ fn rounding_breaks_and_slack_cables_are_judged_as_what_they_are() {
     assert_eq!(of_second(unlimited), (None, 0.0));
 }
 
-/// A winch that reels in all its cable and 0.24 m more had a length of −0.24 m and 281 MN: the run ends before.
+/// A winch that reels in all its cable and 0.24 m more would have a length of −0.24 m and 281 MN: the run ends before.
 #[test]
 fn a_cable_without_length_ends_the_run() {
     let end = |step: &str| {
@@ -140,7 +141,8 @@ fn a_cable_without_length_ends_the_run() {
     }
 }
 
-/// A moment of 1e6 N·m turned the platform by thousands of radians a step: 40 s for 1000 steps. It ends within some steps.
+/// A moment of 1e6 N·m would turn the platform by thousands of radians per step (40 s for 1000 steps): the run ends
+/// within some steps.
 #[test]
 fn a_spin_beyond_a_radian_a_step_ends_the_run() {
     let text = "[machine]\nrobot = \"simulator\"\n[start]\npose = [0, 0, 1.5, 0, 0, 0]\ntension_method = \"closed-form\"\n\
@@ -149,7 +151,7 @@ fn a_spin_beyond_a_radian_a_step_ends_the_run() {
     let RunEnd::Failed(error) = summary.end else { panic!("it went on for {} steps", summary.steps) };
     assert!(matches!(error, StepError::Spin { turn } if turn > 1.0), "{error}");
     assert!(summary.steps < 100, "{}", summary.steps);
-    // half a radian a step is followed
+    // half a radian per step is accepted
     let spins = |rate: f64| {
         let text = PLATE.to_owned() + &format!("twist = [0, 0, {rate}]\n[time]\nduration_s = 0.001\n");
         run(&text, plate()).1.end
@@ -158,7 +160,7 @@ fn a_spin_beyond_a_radian_a_step_ends_the_run() {
     assert!(matches!(spins(1001.0), RunEnd::Failed(StepError::Spin { .. })));
 }
 
-/// Rows of the log, of the encoders, and of a unit that is faster than the steps.
+/// Rows of the log, of the encoders, and of an inertial unit that is faster than the steps.
 #[test]
 fn how_much_is_recorded_is_known_before() {
     let text = PLATE.to_owned()

@@ -1,5 +1,5 @@
-//! Another integrator with error control, on the equations about the platform origin, written anew: velocities and a quaternion instead of
-//! momenta and turns.
+//! Another integrator with error control, on equations about the platform origin that are written independently: with
+//! velocities and a quaternion instead of momenta and turns.
 
 use differential_equations::prelude::{ExplicitRungeKutta, IVP, ODE};
 
@@ -19,7 +19,7 @@ struct Equations<'a> {
 impl Equations<'_> {
     fn pose(numbers: &Numbers) -> Pose {
         let pose = Pose::from_numbers(std::array::from_fn(|k| numbers[k]));
-        // the integrator's quaternion is as long as its errors let it be
+        // the integrator keeps the quaternion's norm only within its errors
         Pose { rotation: nalgebra::UnitQuaternion::new_normalize(*pose.rotation.quaternion()), ..pose }
     }
 }
@@ -58,7 +58,8 @@ impl ODE<f64, Numbers> for Equations<'_> {
     }
 }
 
-/// Pose of a machine after a time (s) at the lengths it has, by the library's integrator; linear laws, dampers of one constant.
+/// Pose of a machine after a time (s) at its present lengths, from the library's integrator; linear laws, dampers of
+/// one constant.
 pub(super) fn reference(plant: &Plant, state: &PlantState, damping: f64, seconds: f64) -> Pose {
     let lengths = state.cables.iter().map(|cable| cable.controlled_length).collect();
     let (pose, twist) = (state.pose.numbers(), state.twist());
@@ -69,7 +70,7 @@ pub(super) fn reference(plant: &Plant, state: &PlantState, damping: f64, seconds
     Equations::pose(solved.y.last().unwrap())
 }
 
-/// A second of motion, with every cable taut and with some that go slack on the way, with and without dampers.
+/// A second of motion, with every cable taut and with some that go slack, with and without dampers.
 #[test]
 fn a_step_agrees_with_an_integrator_that_controls_its_error() {
     let mut worst: f64 = 0.0;
@@ -106,7 +107,7 @@ fn a_step_agrees_with_an_integrator_that_controls_its_error() {
         let over = apart(&expected, &uncut.pose);
         println!("damping {damping}, slack {slack}, step {step} s: {gap:.1e} m, without cuts {over:.1e} m");
         assert!(gap < tolerance, "{damping} {size}: {gap:e}");
-        // steps that no kink falls into are the same bits
+        // steps without a kink give the same bits
         assert!(if slack { over > 10.0 * gap } else { uncut.pose == state.pose }, "{damping} {size}: {over:e} {gap:e}");
         worst = worst.max(gap);
     }

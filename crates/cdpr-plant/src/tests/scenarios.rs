@@ -1,4 +1,4 @@
-//! Scenario files: rows, events, mistakes.
+//! Scenario files: rows, events, errors.
 
 use std::convert::Infallible;
 use std::ops::ControlFlow;
@@ -53,7 +53,7 @@ fn events_happen_at_their_time_and_after_its_row() {
     assert!(rows[6].cables[1].is_broken);
 }
 
-/// Lengths that are told are reached at the end of every step, and a stopped winch stays.
+/// Commanded lengths are reached at the end of every step, and a stopped winch stays.
 #[test]
 fn ideal_winches_follow_and_stopped_ones_stay() {
     let text = PLATE.to_owned()
@@ -67,7 +67,7 @@ fn ideal_winches_follow_and_stopped_ones_stay() {
     assert_eq!(rows[10].cables[3].slip, 0.004);
 }
 
-/// A wrench over time is the wrench of an event where it is constant.
+/// A wrench over time that is constant equals the wrench of an event.
 #[test]
 fn a_constant_series_is_an_event() {
     let series = PLATE.to_owned() + "[wrench]\ntime_s = [0]\nwrench = [[5, -3, 0.1]]\n";
@@ -77,7 +77,7 @@ fn a_constant_series_is_an_event() {
     assert!(apart(&a.last().unwrap().pose, &a[0].pose) > 1e-4);
 }
 
-/// Mistakes of the file are told with their line; those that only the robot shows too.
+/// Errors of the file are reported with their line, including those that only the robot shows.
 #[test]
 fn mistakes_are_told_at_their_place() {
     let place = |text: &str| Scenario::from_toml_bytes(text.as_bytes(), "s.toml").unwrap_err();
@@ -103,7 +103,7 @@ fn mistakes_are_told_at_their_place() {
     assert!(line == Some(4) && rest.contains("no equilibrium"), "{rest}");
 }
 
-/// The step that is advised is accepted, and one twice as large is not.
+/// The advised step is accepted, and one twice as large is not.
 #[test]
 fn the_advised_step_is_the_largest_one() {
     let text = |step: f64| PLATE.to_owned() + &format!("step_s = {step}\n");

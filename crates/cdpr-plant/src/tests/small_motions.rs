@@ -1,8 +1,8 @@
-//! Small motions: modes of the linearisation are the frequencies of the time series.
+//! Small motions: modes of the linearisation have the frequencies of the time series.
 
 use super::*;
 
-/// The state displaced along a mode, far too little for the geometry to bend.
+/// The state displaced along a mode, by too little for nonlinear geometry to matter.
 fn along(plant: &Plant, rest: &PlantState, mode: usize, size: f64) -> (PlantState, Vec<super::super::Mode>) {
     let modes = plant.linearize(rest).unwrap().modes().unwrap();
     let shape = &modes[mode].shape;
@@ -10,7 +10,7 @@ fn along(plant: &Plant, rest: &PlantState, mode: usize, size: f64) -> (PlantStat
     (displaced(plant, rest, &scaled), modes)
 }
 
-/// Frequency of a swinging number by its crossings of zero, each between two steps (Hz).
+/// Frequency of an oscillating number from its zero crossings, interpolated between two steps (Hz).
 fn frequency(values: &[f64], step: f64) -> f64 {
     let mut crossings = Vec::new();
     for (index, pair) in values.windows(2).enumerate() {
@@ -55,7 +55,7 @@ fn every_mode_swings_with_its_frequency() {
     }
 }
 
-/// Of a damped mode the amplitude falls by exp(−ζ ω t).
+/// The amplitude of a damped mode falls as exp(−ζ ω t).
 #[test]
 fn a_damped_mode_decays_by_its_ratio() {
     let plant = plant(simulator(), Composition::ELASTIC, 400.0);
@@ -66,17 +66,17 @@ fn a_damped_mode_decays_by_its_ratio() {
     let energy = |state: &PlantState| plant.energy(state).unwrap().total() - zero;
     let mut later = state.clone();
     let periods = 10.0;
-    // whole periods of the damped swing, at whose ends the share of kinetic energy is the same
+    // whole periods of the damped oscillation, at whose ends the fraction of kinetic energy is the same
     let omega = std::f64::consts::TAU * mode.frequency;
     let time = periods * std::f64::consts::TAU / (omega * (1.0 - mode.damping_ratio.powi(2)).sqrt());
     hold(&plant, &mut later, time / 2000.0, 2000);
     let found = -(energy(&later) / energy(&state)).ln() / (2.0 * omega * time);
     println!("damping ratio {found:.6}, linear {:.6}", mode.damping_ratio);
-    // dampers couple the modes, the more the larger the ratio
+    // dampers couple the modes, more strongly for larger ratios
     assert!((found / mode.damping_ratio - 1.0).abs() < 0.03, "{found} {}", mode.damping_ratio);
 }
 
-/// A, B of the linearisation against differences of the whole motion over a short time.
+/// A and B of the linearisation against differences of the whole motion over a short time.
 #[test]
 fn the_system_matrix_is_the_derivative_of_the_motion() {
     let plant = plant(simulator(), Composition::ELASTIC, 2000.0);
@@ -106,7 +106,7 @@ fn the_system_matrix_is_the_derivative_of_the_motion() {
         let gap = (slope - flow.column(column)).amax() / flow.column(column).amax();
         assert!(gap < 1e-6, "column {column}: {gap:e}");
     }
-    // a length paid out at once pushes the twist by B t
+    // a length paid out at once changes the twist by B t
     for cable in 0..8 {
         let side = |h: f64| {
             let mut state = rest.clone();
@@ -117,7 +117,7 @@ fn the_system_matrix_is_the_derivative_of_the_motion() {
         };
         let slope = (side(h) - side(-h)) / (2.0 * h);
         let column = b.column(6 + cable);
-        // the twist of the first 10 µs has moved by ω t, a thousandth
+        // the twist of the first 10 µs has changed by ω t, a thousandth
         assert!((slope.rows(6, 6) - column.rows(6, 6)).amax() < 2e-3 * column.amax(), "cable {cable}");
     }
 }

@@ -22,7 +22,7 @@ fn advice(name: &str, half: f64, accuracy: f64) -> Advice {
     advise(&machine, &supported, &poses, accuracy, Method::Qp).unwrap()
 }
 
-/// The control model like the machine makes no error; the simplest that is good enough is taken, and only that.
+/// The control model like the machine makes no error; the simplest sufficient model is recommended, and no other.
 #[test]
 fn the_simplest_model_that_reaches_the_task_is_recommended() {
     let strict = advice("planar-example", 0.5, 1e-4);
@@ -60,7 +60,8 @@ fn a_file_without_effects_leaves_nothing_to_choose() {
     assert!(matches!(error, AdviceError::NothingToChoose { .. }), "{error}");
 }
 
-/// The planar example with the keys that `cdpr test-bench` writes beside the stiffness: a table with hysteresis, of strokes 2 % apart.
+/// The planar example with the keys that `cdpr test-bench` writes beside the stiffness: a hysteresis table with strokes
+/// 2 % apart.
 fn with_hysteresis() -> Robot {
     let mut robot = Robot::builtin("planar-example").unwrap();
     for cable in &mut robot.cables {
@@ -75,8 +76,8 @@ fn with_hysteresis() -> Robot {
     robot
 }
 
-/// Of the models of one effect the one with hysteresis is the machine's: it comes last, its table counts as what has to be known, and
-/// nothing is out of reach that it reaches.
+/// Of the models with one effect, the one with hysteresis is the machine's: it comes last, the numbers of its table
+/// count as parameters, and every pose that it reaches is attainable.
 #[test]
 fn the_machine_is_judged_by_the_model_that_is_like_it() {
     let robot = with_hysteresis();
@@ -89,14 +90,15 @@ fn the_machine_is_judged_by_the_model_that_is_like_it() {
     assert_eq!(names, ["standard", "elastic", "hysteresis"]);
     let full = advice.like_the_machine().unwrap();
     assert_eq!(full, advice.candidates.last().unwrap());
-    // two tensions beyond zero on either branch, and one transition, of each of four cables
+    // two tensions above zero on either branch, and one transition, for each of four cables
     assert_eq!((full.parameter_count, advice.candidates[1].parameter_count), (20, 4));
     assert_eq!((full.reached, advice.attainable), (25, 25), "{advice:?}");
-    // it remembers the way as the machine does, so that nothing is left
+    // it has the machine's memory, so that no error is left
     assert!(full.position_error.max < 1e-9 && advice.candidates[1].position_error.max > 1e-6, "{advice:?}");
 }
 
-/// A task that leaves the workspace: the models give up at different poses, and are compared at those where all have an answer.
+/// A task that leaves the workspace: the models fail at different poses, and are compared at those where all have an
+/// answer.
 #[test]
 fn errors_are_compared_at_the_same_poses() {
     let advice = advice("planar-example", 4.5, 1.0);
@@ -106,7 +108,7 @@ fn errors_are_compared_at_the_same_poses() {
     let full = advice.like_the_machine().unwrap();
     assert!(full.position_error.max < 1e-9 && full.tension_error.unwrap() < 1e-3, "{full:?}");
     assert!(full.reason.is_some(), "{full:?}");
-    // whatever any of them reaches is all there is to reach
+    // attainable poses are those that any candidate reaches
     assert!(advice.attainable < advice.poses && advice.attainable >= full.reached, "{advice:?}");
     assert!(advice.candidates.iter().all(|candidate| advice.reached_share(candidate) <= 1.0));
 }

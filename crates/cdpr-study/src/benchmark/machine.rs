@@ -1,4 +1,4 @@
-//! A robot as it is built: with deviations, cables that stretch, and the poses that it is judged at.
+//! A robot as built: with deviating numbers, cables that stretch, and the poses at which it is judged.
 
 use nalgebra::Vector3;
 use rand::SeedableRng;
@@ -15,7 +15,7 @@ use cdpr_model::model::{Composition, Model};
 use cdpr_model::robot::{CableStiffness, Robot};
 use cdpr_model::tension::Method;
 
-/// Fewest poses that tell of a workspace.
+/// Fewest poses from which a workspace is judged.
 const LEAST: usize = 12;
 
 /// A machine with its poses.
@@ -23,16 +23,16 @@ pub(super) struct Machine {
     robot: Robot,
     composition: Composition,
     study: Study,
-    /// Poses to drive to.
+    /// Poses to command.
     pub(super) poses: Vec<CommandedPose>,
     /// Poses that are measured.
     pub(super) measured: Vec<CommandedPose>,
-    /// Standard deviation of its frame anchors per axis (m).
+    /// Standard deviation of the machine's frame anchors per axis (m).
     pub(super) anchor_sigma: f64,
 }
 
 impl Machine {
-    /// The machine of a robot: the effects that its file supports, elastic cables in any case, and numbers that deviate.
+    /// The machine of a robot: the effects that its file supports, elastic cables in any case, with deviating numbers.
     pub(super) fn of(robot: &Robot, rules: &BenchmarkRules) -> Result<Self, BenchmarkError> {
         let stretching = with_stiffness(robot, rules)?;
         let composition = Composition::supported(&stretching)?.richest.without("drum");
@@ -53,7 +53,7 @@ impl Machine {
         Ok(machine)
     }
 
-    /// The machine under a control model of a robot's file.
+    /// The machine under a control model of the robot's file.
     pub(super) fn under(&self, robot: &Robot, control: Composition) -> Result<Experiment, BenchmarkError> {
         let mut study = self.study.clone();
         (study.control.model, study.machine.model) = (control.to_string(), self.composition.to_string());
@@ -74,7 +74,7 @@ fn frame_size(robot: &Robot) -> f64 {
     robot.cables.iter().map(|cable| (cable.frame_anchor - middle).norm()).sum::<f64>() / count
 }
 
-/// The robot with stiffnesses where its file states none.
+/// The robot with default stiffnesses for the cables whose file states none.
 fn with_stiffness(robot: &Robot, rules: &BenchmarkRules) -> Result<Robot, BenchmarkError> {
     let mut robot = robot.clone();
     for cable in &mut robot.cables {
@@ -85,7 +85,8 @@ fn with_stiffness(robot: &Robot, rules: &BenchmarkRules) -> Result<Robot, Benchm
     Ok(robot)
 }
 
-/// The robot as it is built: anchors along the directions of its motion pattern, and stiffnesses, off by normal deviates.
+/// The robot as built: normal deviations of the anchors along the directions of its motion pattern, and of the
+/// stiffnesses.
 fn deviating(model: &Model, mut robot: Robot, rules: &BenchmarkRules, anchor_sigma: f64) -> Robot {
     let mut rng = ChaCha8Rng::seed_from_u64(rules.seed);
     rng.set_stream(1);
@@ -107,7 +108,7 @@ fn deviating(model: &Model, mut robot: Robot, rules: &BenchmarkRules, anchor_sig
     robot
 }
 
-/// The study of a machine, its models named when they are chosen.
+/// The study of a machine; its models are set when they are chosen.
 fn study(robot: &Robot, rules: &BenchmarkRules) -> Study {
     let (home, pattern) = (robot.home_or_middle(), robot.motion_pattern);
     let middle = pattern.pose_to_components(robot.plane, &home);
@@ -156,7 +157,8 @@ fn study(robot: &Robot, rules: &BenchmarkRules) -> Study {
     }
 }
 
-/// Half sides of the box of poses (m): a share of the travel box, or of the box of frame anchors and home pose where a file states none.
+/// Half sides of the box of poses (m): a fraction of the travel box, or of the box of frame anchors and home pose if
+/// the file states none.
 fn half_sides(robot: &Robot, rules: &BenchmarkRules, moves: usize) -> Vec<f64> {
     let (pattern, home) = (robot.motion_pattern, robot.home_or_middle());
     let components = |point: Vector3<f64>| {
@@ -176,7 +178,7 @@ fn half_sides(robot: &Robot, rules: &BenchmarkRules, moves: usize) -> Vec<f64> {
     (0..moves).map(|k| 0.5 * rules.box_share * side(k)).collect()
 }
 
-/// Control models that a file supports and a machine is as rich as, from poor to rich.
+/// Control models that a file supports and that have no effect beyond the machine's, from the simplest to the richest.
 fn supported(robot: &Robot, machine: Composition) -> Vec<Composition> {
     let own: Vec<&str> = machine.effects().collect();
     let is_poorer = |model: &Composition| model.effects().all(|effect| own.contains(&effect));

@@ -1,4 +1,4 @@
-//! Rules of the benchmark, and robots that cannot take part.
+//! Rules of the benchmark, and errors of robots that cannot take part.
 
 use serde::Serialize;
 use thiserror::Error;
@@ -9,30 +9,32 @@ use cdpr_model::control::InputError;
 use cdpr_model::geometry::PatternError;
 use cdpr_model::model::{ModelError, ParameterError};
 
-/// Deviations of machines, places of poses and sensors of the benchmark, the same for all robots.
+/// Deviations of machines, positions of poses and sensors of the benchmark, the same for all robots.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct BenchmarkRules {
-    /// Standard deviation of anchors per axis, as a share of the mean distance of the frame anchors from their middle; of platform anchors from their origin.
+    /// Standard deviation of anchors per axis: for frame anchors as a fraction of their mean distance from their
+    /// middle, for platform anchors of their distance from the platform origin.
     pub anchor_deviation: f64,
-    /// Standard deviation of stiffnesses, as a share.
+    /// Standard deviation of stiffnesses, as a fraction of the stiffness.
     pub stiffness_deviation: f64,
-    /// Strain at the largest tension of cables whose file states no stiffness.
+    /// Strain at the largest tension, for cables whose file states no stiffness.
     pub strain_at_largest_tension: f64,
-    /// Share of the travel box, about the home pose, from which poses come: a grid of 5 along each translation, 3 along the last of three.
+    /// Fraction of the travel box, about the home pose, that the poses cover: a grid of 5 along each translation, 3
+    /// along the last of three.
     pub box_share: f64,
-    /// Poses turned at random within ± `turn_rad`, of robots that turn.
+    /// Count of poses with random orientations within ± `turn_rad`, for robots that turn.
     pub turned_poses: usize,
     /// Largest turn (rad).
     pub turn_rad: f64,
-    /// Poses measured, taken at random.
+    /// Count of measured poses, chosen at random.
     pub measured_poses: usize,
     /// Standard deviation of measured positions per axis (m).
     pub position_m: f64,
     /// Standard deviation of measured orientations per axis (rad).
     pub rotation_rad: f64,
-    /// Standard deviation of lengths (m).
+    /// Standard deviation of measured lengths (m).
     pub length_m: f64,
-    /// Standard deviation of tensions, as a share of the largest tension.
+    /// Standard deviation of measured tensions, as a fraction of the largest tension.
     pub tension_share: f64,
     /// Seed of deviations, poses and noise.
     pub seed: u64,
@@ -43,7 +45,7 @@ impl Default for BenchmarkRules {
         Self {
             anchor_deviation: 0.005,
             stiffness_deviation: 0.1,
-            // 9000 N on 2 MN of the CableRobot Simulator (eq. 6.17)
+            // 9000 N at EA = 2 MN, as for the CableRobot Simulator (eq. 6.17)
             strain_at_largest_tension: 0.0045,
             box_share: 0.5,
             turned_poses: 16,
@@ -58,7 +60,7 @@ impl Default for BenchmarkRules {
     }
 }
 
-/// Robot that cannot take part.
+/// Reason for which a robot cannot take part.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error(transparent)]
 pub(super) enum BenchmarkError {

@@ -6,7 +6,8 @@ fn robots(names: &[&str]) -> Vec<Robot> {
     names.iter().map(|name| Robot::builtin(name).expect("is built in")).collect()
 }
 
-/// Calibration helps every robot, force control beats kinematics where the file knows the stiffness, and the same rules give the same numbers.
+/// Calibration helps every robot, force control beats kinematics if the file has the stiffness, and the same rules give
+/// the same numbers.
 #[test]
 fn identification_makes_every_robot_more_accurate() {
     let all = robots(&["cablerobot-simulator-helicopter", "planar-example", "ipanema-1", "caroca-pulleys"]);
@@ -38,7 +39,8 @@ fn identification_makes_every_robot_more_accurate() {
     assert_eq!(benchmark(&all[1..2], None, &BenchmarkRules::default()).rows[..], found.rows[2..4]);
 }
 
-/// A machine without deviations that is no richer than its control model is met to rounding; models that were not asked for are left out.
+/// A machine without deviations that is no richer than its control model is driven without error, to rounding; models
+/// that were not requested are left out.
 #[test]
 fn a_machine_as_its_file_says_is_met() {
     let rules = BenchmarkRules { anchor_deviation: 0.0, stiffness_deviation: 0.0, ..BenchmarkRules::default() };

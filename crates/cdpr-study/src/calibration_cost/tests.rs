@@ -29,8 +29,8 @@ prior = ['platform-anchor=0.02']
 price = 50
 ";
 
-/// Kinematics levels off at what it lacks whatever the sensor; force control goes on falling with sensor and poses; without a tracker the elastic model cannot be calibrated, and
-/// that is said.
+/// Kinematics levels off at the effects it lacks, for any sensor; force control improves further with sensor and poses;
+/// without a tracker the elastic model cannot be calibrated, and the reason is given.
 #[test]
 fn better_sensors_and_more_poses_pay_for_the_model_that_can_use_them() {
     let study = include_str!(concat!(env!("CARGO_MANIFEST_DIR"), "/../../studies/twin-measurements.toml"));
@@ -68,7 +68,7 @@ fn better_sensors_and_more_poses_pay_for_the_model_that_can_use_them() {
     assert_eq!(prepared.calibration_row(3, &points[3]), rows[3], "the same every time");
 }
 
-/// A frame that is turned and shifted is found, and nothing is missed in it.
+/// A rotated and shifted frame is found, and leaves no error.
 #[test]
 fn a_frame_of_the_robots_own_is_no_error() {
     let frame = Pose::from_xyz_angles(Vector3::new(0.1, -0.2, 0.05), [0.02, -0.3, 0.1]);

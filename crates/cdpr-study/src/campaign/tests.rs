@@ -16,7 +16,8 @@ fn run(experiment: &Experiment, poses: &[CommandedPose]) -> Campaign {
     experiment.campaign(poses, 0, &mut record).unwrap()
 }
 
-/// Half of the poses at most drive as well as all of them, from 38.8 mm; the reach grows from round to round.
+/// At most half of the poses give the same driven error as all of them, starting from 38.8 mm; the reach grows from
+/// round to round.
 #[test]
 fn half_of_the_poses_drive_as_well_as_all() {
     let experiment = campaign_of("free = 'frame-anchor'\ncriterion = 'i'\nposes_per_round = 9\nbudget = 45");
@@ -31,7 +32,7 @@ fn half_of_the_poses_drive_as_well_as_all() {
     let driven = last.driven.as_ref().unwrap().position_error_m.mean;
     let fractions: Vec<f64> = found.rounds.iter().map(|round| round.reach_share).collect();
     assert!(last.poses <= 45 && at_first > 0.035, "{} {at_first}", last.poses);
-    // noise of 45 poses makes some percent: other seeds lie to both sides
+    // noise of 45 poses causes a few percent: other seeds lie on both sides
     assert!(driven < 1.03 * full, "{driven} {full}");
     let of_grid = experiment.assess(&poses[..75]).unwrap().accuracy.position_error_m.mean;
     assert!((of_grid - 0.03883).abs() < 5e-6, "{of_grid}");
@@ -42,7 +43,8 @@ fn half_of_the_poses_drive_as_well_as_all() {
     assert_eq!(found.status, CampaignStatus::BudgetSpent);
 }
 
-/// Levels of tension tell compliances that poses at one level tell less: the chosen levels are commanded, and their lengths are those of no other level.
+/// Levels of tension determine compliances better than poses at one level: the chosen levels are commanded, and their
+/// lengths differ from those of any other level.
 #[test]
 fn levels_of_tension_are_measured_as_poses_are() {
     let deviation = |levels: &str| {
@@ -55,7 +57,7 @@ fn levels_of_tension_are_measured_as_poses_are() {
         let mut record = |order: &Order<'_>| -> Result<Option<Samples>, CampaignError> {
             commanded.extend(order.poses.iter().map(|command| command.tensions.is_some()));
             let made = order.experiment.record(order.poses, 1)?.samples;
-            // the machine is the control model: what is recorded is what was expected, to the sensors' noise
+            // the machine is the control model: the record is the prediction, to the sensors' noise
             let pairs = made.tensions.as_ref().unwrap().iter().zip(order.expected.tensions.as_ref().unwrap());
             assert!(pairs.map(|(made, expected)| (made - expected).abs()).fold(0.0, f64::max) < 400.0);
             Ok(Some(made))
@@ -74,7 +76,7 @@ fn levels_of_tension_are_measured_as_poses_are() {
     assert!(matches!(rigid.campaign(&poses, 0, &mut record), Err(CampaignError::Plan(PlanError::LevelsOfRigid))));
 }
 
-/// The same records lead to the same rounds; a record that is missing is waited for.
+/// The same records lead to the same rounds; the campaign waits for a missing record.
 #[test]
 fn a_campaign_waits_and_goes_on() {
     let experiment = campaign_of("free = 'frame-anchor'\nposes_per_round = 12\nrounds = 3\nrecord = 'files'");

@@ -23,9 +23,10 @@ fn chain(experiment: &Experiment, region: &[[f64; 2]]) -> Chain {
     experiment.chain([&commands[0], &commands[1]], region, [0, 2]).unwrap()
 }
 
-/// Every stage of chapter 6 on its rebuilt machine lies where the single commands led by hand, whose three digits allow a percent. The elastostatic
-/// record was made there by the printed anchors (eq. 6.7) instead of those identified before, which moves what follows from it by some percent, and the
-/// kinematic controller on the edges, where cables hang slack, by more.
+/// Every stage of chapter 6 on its rebuilt machine agrees with the single commands run by hand, whose three digits
+/// allow a percent. There the elastostatic record was made with the printed anchors (eq. 6.7) instead of the identified
+/// ones, which changes later stages by some percent, and the kinematic controller on the edges, where cables hang
+/// slack, by more.
 #[test]
 fn the_twin_goes_through_chapter_six() {
     let found = chain(&experiment("twin-chain"), &REGION);
@@ -69,7 +70,7 @@ fn the_twin_goes_through_chapter_six() {
     assert!(found.left_out.is_empty() && found.calibrated.len() == 2);
 }
 
-/// A study without a nominal elastostatic model, of a point in a plane, goes as far as it can and says what it left out.
+/// A study of a point in a plane without a nominal elastostatic model runs the stages it can and names those left out.
 #[test]
 fn stages_that_a_study_has_nothing_for_are_left_out_in_words() {
     let found = chain(&experiment("planar-wide-grid"), &[[-4.5, 4.5], [0.2, 6.5]]);
@@ -77,7 +78,7 @@ fn stages_that_a_study_has_nothing_for_are_left_out_in_words() {
     assert_eq!(names, ["reference", "identified", "driven", "identified-again"]);
     assert_eq!(found.left_out.len(), 2, "{:?}", found.left_out);
     assert!(found.left_out[0].contains("does not turn") && found.left_out[1].contains("[prediction]"));
-    // sec. 4.4: 57.14 mm by the nominal controller, 40.49 by the optimum
+    // sec. 4.4: 57.14 mm with the nominal controller, 40.49 with the optimum
     let position: Vec<f64> = found.steps.iter().map(|step| 1e3 * step.position_mean_m).collect();
     assert!((position[0] - 57.14).abs() < 0.02 && (position[2] - 40.49).abs() < 0.02, "{position:?}");
 }

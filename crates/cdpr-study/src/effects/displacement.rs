@@ -1,4 +1,4 @@
-//! Displacement of the platform under controlled lengths other than the machine's own.
+//! Displacement of the platform under changed controlled lengths.
 
 use nalgebra::{DVector, Vector3};
 use serde::Serialize;
@@ -9,8 +9,8 @@ use cdpr_model::geometry::{Pose, Twist};
 use cdpr_model::model::Model;
 use cdpr_model::statics::{Load, LoadError, StaticsError, Stiffness, cable_state};
 
-/// The machine's own lengths must lead back to its pose within this (m; angles times the platform radius): otherwise the
-/// forward problem does not answer for this machine.
+/// Largest distance at which the machine's own lengths must lead back to its pose (m; angles times the platform
+/// radius); otherwise the forward problem does not suit this machine.
 const WAY_BACK: f64 = 1e-6;
 
 /// The state at which effects are compared.
@@ -18,14 +18,14 @@ const WAY_BACK: f64 = 1e-6;
 pub struct EffectState {
     /// The platform pose.
     pub pose: Pose,
-    /// The load on the platform, or why it is unknown, which suits rigid straight cables alone.
+    /// The load on the platform, or the reason for which it is unknown; only rigid straight cables need no load.
     pub load: Result<Load, LoadError>,
-    /// Tensions that balance the load, where the robot measures them (N); `None` when there are none, which suits rigid straight
-    /// cables alone.
+    /// Tensions that balance the load, at the end where the robot measures them (N); `None` if there are none, which
+    /// only rigid straight cables allow.
     pub tensions: Option<Vec<f64>>,
 }
 
-/// How a displacement was found.
+/// Method by which a displacement was found.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum DisplacementMethod {
@@ -38,23 +38,24 @@ pub enum DisplacementMethod {
 /// Displacement of the platform and change of the tensions.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Displacement {
-    /// Distance (m).
+    /// Distance of the platform origin (m).
     #[serde(rename = "translation_m")]
     pub translation: f64,
-    /// Angle (rad).
+    /// Angle of rotation (rad).
     #[serde(rename = "rotation_rad")]
     pub rotation: f64,
-    /// Largest change of a tension at the outlets (N); `None` for rigid straight cables, whose tensions lengths do not tell.
+    /// Largest change of a tension at the outlets (N); `None` for rigid straight cables, whose tensions do not follow
+    /// from lengths.
     #[serde(rename = "tension_change_N")]
     pub tension: Option<f64>,
     /// Number of cables that lose their tension.
     #[serde(rename = "slack_cables")]
     pub slack: usize,
-    /// How it was found.
+    /// Method by which it was found.
     pub method: DisplacementMethod,
 }
 
-/// Displacement of the platform at rest in a state when the controlled lengths change by `change` (m), one per cable.
+/// Displacement of the platform at rest in a state if the controlled lengths change by `change` (m), one per cable.
 pub fn displacement(machine: &Model, state: &EffectState, change: &[f64]) -> Result<Displacement, EffectError> {
     let tensions = match (&state.tensions, ForwardProblem::of(machine, state.load.is_ok())) {
         (Some(tensions), ForwardProblem::Equilibrium) => tensions,
@@ -69,7 +70,7 @@ pub fn displacement(machine: &Model, state: &EffectState, change: &[f64]) -> Res
     }
 }
 
-/// Rigid straight cables: the pose whose lengths fit best.
+/// For rigid straight cables: the pose whose lengths fit best.
 fn by_geometry(machine: &Model, pose: &Pose, change: &[f64]) -> Result<Displacement, EffectError> {
     let own = machine.cable_lengths(pose).map_err(StaticsError::from)?;
     let lengths: Vec<f64> = own.iter().zip(change).map(|(own, change)| own + change).collect();
@@ -79,7 +80,7 @@ fn by_geometry(machine: &Model, pose: &Pose, change: &[f64]) -> Result<Displacem
     Ok(Displacement { translation, rotation, tension: None, slack: 0, method: DisplacementMethod::Exact })
 }
 
-/// By the forward problem; `None` where it has no answer.
+/// By the forward problem; `None` if it has no answer.
 fn by_equilibrium(machine: &Model, state: &EffectState, tensions: &[f64], change: &[f64]) -> Option<Displacement> {
     let mut settings = ForwardSettings::default();
     settings.equilibrium.max_restarts = 0;
@@ -131,7 +132,7 @@ fn apart(from: &Pose, to: &Pose) -> (f64, f64) {
     ((to.position - from.position).norm(), from.angle_to(to))
 }
 
-/// The largest amount.
+/// The largest magnitude; 0 for no values.
 pub fn largest(values: impl IntoIterator<Item = f64>) -> f64 {
     values.into_iter().fold(0.0, |largest, value| largest.max(value.abs()))
 }
@@ -143,7 +144,7 @@ mod tests {
     use cdpr_model::robot::Robot;
     use cdpr_model::statics::balanced_wrench;
 
-    /// The forward problem and the stiffness describe one machine: for small changes they agree.
+    /// The forward problem and the stiffness describe the same machine: for small changes they agree.
     #[test]
     fn small_changes_lead_to_the_same_place_by_both_methods() {
         let robot = Robot::builtin("cablerobot-simulator-helicopter").unwrap();
@@ -156,7 +157,7 @@ mod tests {
         let exact = displacement(&model, &state, &change).unwrap();
         let linear = to_first_order(&model, &state, &tensions, &change).unwrap();
         assert_eq!((exact.method, linear.method), (DisplacementMethod::Exact, DisplacementMethod::FirstOrder));
-        // what is left is of second order: the change over the length, 1e-5 of the result
+        // the difference is of second order: the change over the length, 1e-5 of the result
         for (exact, linear) in [
             (exact.translation, linear.translation),
             (exact.rotation, linear.rotation),

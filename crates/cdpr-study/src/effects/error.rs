@@ -1,4 +1,4 @@
-//! Quantities of an effect that cannot be told.
+//! Errors of quantities of an effect that cannot be computed.
 
 use thiserror::Error;
 
@@ -7,7 +7,7 @@ use cdpr_model::equilibrium::{ForwardError, NoSolution};
 use cdpr_model::model::WinchError;
 use cdpr_model::statics::{LoadError, StaticsError};
 
-/// Reason for which a quantity of a [`Contribution`](super::Contribution) cannot be told.
+/// Reason for which a quantity of a [`Contribution`](super::Contribution) cannot be computed.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum EffectError {
@@ -17,25 +17,25 @@ pub enum EffectError {
     /// Cables that have no state at the pose.
     #[error(transparent)]
     Statics(#[from] StaticsError),
-    /// Numbers from which no tensions can be chosen.
+    /// Input from which no tensions can be chosen.
     #[error(transparent)]
     Distribution(#[from] DistributionError),
     /// No tensions balance the load within the limits.
     #[error("{0}")]
     Unbalanced(Reason),
-    /// Lengths that belong to tensions, of which none are given.
+    /// Lengths depend on tensions, and none are given.
     #[error("the tensions are unknown")]
     UnknownTensions,
-    /// A winch that cannot be turned so far.
+    /// A winch that cannot reach the length.
     #[error(transparent)]
     Winch(#[from] WinchError),
-    /// Lengths with which no forward problem can be posed.
+    /// Lengths that do not suit the forward problem.
     #[error(transparent)]
     Forward(#[from] ForwardError),
-    /// Lengths that lead to no pose.
+    /// Lengths for which the forward problem found no pose.
     #[error(transparent)]
     NoSolution(#[from] NoSolution),
-    /// Lengths that lead elsewhere.
+    /// Lengths that lead to a distant pose.
     #[error("the lengths of this pose, or the changed ones, let the platform rest nowhere near it")]
     NotNear,
     /// A stiffness that is singular.

@@ -14,9 +14,9 @@ pub struct Robots {
     pub control: Robot,
     /// The machine.
     pub machine: Robot,
-    /// Robot of `[prediction]`; `None` if the study has none, or nobody is going to ask it.
+    /// Robot of `[prediction]`; `None` if the study has none, or no prediction is needed.
     pub prediction: Option<Robot>,
-    /// Robot with which the winches were set, where the study names one.
+    /// Robot with which the winches were set; `None` if the study names none.
     pub former: Option<Robot>,
 }
 
@@ -32,11 +32,11 @@ impl Robots {
     }
 }
 
-/// Mistake of a study, or of one of its robots, that makes no experiment.
+/// Error of a study, or of one of its robots, that prevents the experiment.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[error("{error}")]
 pub struct ExperimentError {
-    /// Name in the study of the robot at fault; `None` if the study itself is.
+    /// Name in the study of the robot with the error; `None` if the error is in the study.
     pub robot: Option<String>,
     /// Reason.
     pub error: InputError,

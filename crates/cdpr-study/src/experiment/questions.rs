@@ -1,4 +1,5 @@
-//! Effects of deviations, and the best setting of the winches: the questions of an experiment that need no poses of its study.
+//! Effects of deviations, and the best setting of the winches: questions to an experiment that need no poses of its
+//! study.
 
 use super::Experiment;
 use crate::sensitivity::{Offsets, ParameterDeviation, Sensitivity, Setting, causes};
@@ -12,7 +13,7 @@ use cdpr_model::model::Model;
 use cdpr_model::tension::Limits;
 
 impl Experiment {
-    /// The tensions at which the winches were set (N); `None` if the study states offsets, or cables have none.
+    /// The tensions at which the winches were set (N); `None` if the study states offsets, or cables have no tensions.
     pub fn initial_tensions(&self) -> Result<Option<Vec<f64>>, InputError> {
         let initial = &self.study.initial;
         match initial.offset.is_none() && initial.offset_m.is_none() {
@@ -21,7 +22,7 @@ impl Experiment {
         }
     }
 
-    /// The winches to be set anew, with the tensions that they have now; `limits` are what their tensions keep.
+    /// The task of choosing new initial tensions for the winches within `limits`, starting from the present ones.
     pub fn initial_tension_task<'a>(&'a self, limits: &'a Limits) -> Result<Task<'a>, InputError> {
         let reason = "winches that are set anew leave other errors than those that it was made of";
         Ok(Task {
@@ -35,8 +36,8 @@ impl Experiment {
         })
     }
 
-    /// Poses that could be measured: commands that its controller reaches within its requirements (eq. 3.33), with what `model` expects to
-    /// record there in so many levels of tension under these accuracies.
+    /// Poses that could be measured: commands that the controller reaches within its requirements (eq. 3.33), with the
+    /// records that `model` predicts there at `levels` levels of tension under these accuracies.
     pub fn reachable_candidates(
         &self,
         model: &Model,
@@ -51,7 +52,7 @@ impl Experiment {
         Candidates::of_reachable(model, commands, reasons.collect(), levels, sigmas)
     }
 
-    /// How the winches were set, and what deviations do to it.
+    /// Description of how the winches were set, and of how deviations change the offsets.
     pub(crate) fn setting(&self, offsets: Offsets) -> Setting<'_> {
         Setting { initial: &self.study.initial, pose: self.start, former: self.former.as_ref(), offsets }
     }
@@ -61,7 +62,7 @@ impl Experiment {
         causes(&self.control, &self.machine, &self.setting(offsets))
     }
 
-    /// How pose and tensions follow all that may deviate.
+    /// Derivatives of pose and tensions by every number that may deviate.
     pub fn sensitivity(&self, offsets: Offsets) -> Result<Sensitivity<'_>, InputError> {
         let setting = self.setting(offsets);
         let sensitivity = Sensitivity::new(self.controller()?, &self.machine, &self.offsets, &setting)?;

@@ -1,4 +1,4 @@
-//! Workspaces of an experiment: what is reached, and what control model and machine could hold.
+//! Workspaces of an experiment: the reachable one, and those in which control model and machine are wrench-feasible.
 
 use nalgebra::UnitQuaternion;
 
@@ -14,7 +14,7 @@ use cdpr_workspace::grid::{self, Grid};
 use cdpr_workspace::{Archetype, Bounds, Region, WorkspaceError};
 
 impl Experiment {
-    /// Tension limits of the machine, or which key is missing.
+    /// Tension limits of the machine; the error names the missing key.
     pub fn known_limits(&self) -> Result<Limits, InputError> {
         Ok(Limits::of(self.machine.robot(), None, None)?)
     }
@@ -24,7 +24,7 @@ impl Experiment {
         self.known_limits().ok()
     }
 
-    /// True where tensions emerge with the pose.
+    /// True if the machine's answer includes tensions.
     pub fn tensions_emerge(&self) -> bool {
         let is_load_known = Load::of(self.machine.robot()).is_ok();
         ForwardProblem::of(&self.machine, is_load_known) == ForwardProblem::Equilibrium
@@ -41,23 +41,23 @@ impl Experiment {
         }
     }
 
-    /// Reachable workspace by the requirements of the study.
+    /// Reachable workspace under the requirements of the study.
     pub fn reachable(&self) -> Result<Reachable, InputError> {
         self.reachable_with(self.requirements())
     }
 
-    /// Reachable workspace by requirements of one's own.
+    /// Reachable workspace under other requirements.
     pub(crate) fn reachable_with(&self, requirements: Requirements) -> Result<Reachable, InputError> {
         Reachable::new(self.driving()?, requirements)
     }
 
-    /// Wrench feasibility of one of the models under the machine's limits; `None` if load or limits are unknown.
+    /// Wrench feasibility of one of the models within the machine's limits; `None` if load or limits are unknown.
     pub fn feasible<'m>(&self, model: &'m Model) -> Option<WrenchFeasible<'m>> {
         let load = Load::of(model.robot()).ok()?;
         WrenchFeasible::new(model, &load, &self.limits()?).ok()
     }
 
-    /// The box in which workspaces are looked for: these ends along each translation (m), or around the machine.
+    /// The box in which workspaces are searched: these ends along each translation (m), or around the machine.
     pub fn bounds(&self, ends: Option<&[f64]>) -> Result<Bounds, WorkspaceError> {
         match ends {
             Some(ends) => Bounds::new(self.machine.axes().len(), ends),
@@ -65,7 +65,7 @@ impl Experiment {
         }
     }
 
-    /// Positions at which what is reached is asked, the platform in one orientation.
+    /// Positions at which the reachable workspace is tested, with the platform in one orientation.
     pub fn region<'a>(
         &self,
         reachable: &'a Reachable,

@@ -11,10 +11,11 @@ use cdpr_model::tension::Limits;
 
 /// Displacement of the platform from the commanded pose (m, rad), δx ≈ −K_wx⁻¹ K_wq (q_θ − φ̂(x, f₀)) (eq. 3.23).
 ///
-/// f₀ are the tensions in balance at the commanded pose that are nearest to those that the lengths would bring if the platform
-/// were held there, and stiffnesses are those at f₀. They differ from the tensions of the equilibrium by as much as the error,
-/// so that the result is exact to first order while no cable gets slack. Cables that are neither straight nor linear are taken
-/// as they would be held, which a slack cable spoils. The platform of a rigid machine moves to where the lengths fit best.
+/// f₀ are the balanced tensions at the commanded pose nearest to those that the lengths would cause if the platform
+/// were held there; the stiffnesses are those at f₀. They differ from the tensions of the equilibrium by the order of
+/// the error, so that the result is exact to first order while no cable becomes slack. Cables that are not straight and
+/// linear are evaluated at the held pose, which is inaccurate if one is slack. The platform of a rigid machine moves to
+/// the least-squares pose.
 pub(super) fn displacement(operation: &mut Operation, commanded: &Pose) -> Option<Twist> {
     let controlled = operation.controlled_lengths(commanded).ok()?;
     let machine = operation.machine();
@@ -35,16 +36,17 @@ fn in_world(machine: &Model, amounts: &DVector<f64>) -> Twist {
     twist
 }
 
-/// A machine whose platform is held at a commanded pose; `None` for a rigid one, and where nothing is sent or it meets no resistance.
+/// A machine whose platform is held at a commanded pose; `None` for a rigid one, if no lengths are sent, or if the
+/// stiffness is singular.
 pub(crate) fn held(operation: &mut Operation, commanded: &Pose) -> Option<Held> {
     let controlled = operation.controlled_lengths(commanded).ok().filter(|_| operation.knows_tensions())?;
     Held::at(operation.machine(), commanded, &controlled)
 }
 
-/// Tensions below this are taken for it (N): a slack cable has no stiffness to go by.
+/// Least tension for stiffnesses (N), since a slack cable has none.
 const TAUT: f64 = 1.0;
 
-/// In the robot's degrees of freedom.
+/// Displacement by the step at balanced tensions, in the robot's degrees of freedom.
 fn at_balance(machine: &Model, pose: &Pose, controlled: &[f64]) -> Option<DVector<f64>> {
     let load = Load::of(machine.robot()).ok()?;
     let limits = Limits::of(machine.robot(), None, None).ok()?;
@@ -65,9 +67,9 @@ fn at_balance(machine: &Model, pose: &Pose, controlled: &[f64]) -> Option<DVecto
     Some(stiffness.pose_by_controlled_lengths()? * change).filter(|step| step.iter().all(|entry| entry.is_finite()))
 }
 
-/// A machine whose platform is held at a pose, and what one linear step from there says.
+/// A machine whose platform is held at a pose, with one linear step from there.
 pub(crate) struct Held {
-    /// Aᵀ f + w with the tensions f(q_θ) of the cables where they are held (world; N, N·m).
+    /// Aᵀ f + w with the tensions f(q_θ) of the cables at the held pose (world; N, N·m).
     pub(crate) residual_wrench: Wrench,
     /// δx = K_wx⁻¹ (Aᵀ f + w) with the stiffness at these tensions, in the robot's degrees of freedom (eq. 3.24).
     step: DVector<f64>,
@@ -98,14 +100,14 @@ impl Held {
         in_world(machine, &self.step)
     }
 
-    /// Tensions at the outlets after the step, f(q_θ) − K A δx (eq. 3.35), which start from those at the commanded pose (N).
+    /// Tensions at the outlets after the step (N), f(q_θ) − K A δx (eq. 3.35), from those at the held pose.
     pub(crate) fn tensions(&self, machine: &Model) -> Vec<f64> {
         let changes = self.changes_along(&self.displacement(machine));
         self.cables.iter().zip(changes).map(|(cable, change)| cable.outlet_tension + change).collect()
     }
 
-    /// Changes of the tensions at the outlets along a displacement of the platform, at fixed controlled lengths (N); a cable that is slack
-    /// stays slack.
+    /// Changes of the tensions at the outlets along a displacement of the platform, at fixed controlled lengths (N); 0
+    /// for a slack cable.
     pub(super) fn changes_along(&self, displacement: &Twist) -> Vec<f64> {
         let change = |cable: &CableState| match cable.outlet_tension > 0.0 {
             true => -cable.controlled_length_by_pose().dot(displacement) / cable.controlled_length_by_tension,
@@ -115,7 +117,7 @@ impl Held {
     }
 }
 
-/// Least squares of −Aᵀ δx = q_θ − q(x).
+/// Least-squares solution of −Aᵀ δx = q_θ − q(x); `None` if it is not determined.
 fn rigid(machine: &Model, pose: &Pose, controlled: &[f64]) -> Option<DVector<f64>> {
     let matrix = machine.structure_matrix(pose).ok()?;
     let lengths = machine.cable_lengths(pose).ok()?;

@@ -37,7 +37,8 @@ fn the_planar_example_has_the_errors_of_the_dissertation() {
     assert!((low.position_error_m.mean - 0.11783).abs() < 5e-6, "{low:?}");
 }
 
-/// The error at the three places of maths.md, given to a millimetre: the field changes by about a hundredth of the distance.
+/// The error at the three positions of maths.md, given to a millimetre: the field changes by about a hundredth of the
+/// distance.
 #[test]
 fn the_error_of_the_planar_example_vanishes_at_three_places() {
     let (control, machine, offsets) = planar(Composition::STANDARD, Composition::ELASTIC);
@@ -48,7 +49,8 @@ fn the_error_of_the_planar_example_vanishes_at_three_places() {
     }
 }
 
-/// Towards a zero of the error it falls in proportion to the distance, and what the linear step misses with its square.
+/// Towards a zero of the error, the error falls in proportion to the distance, and that of the linear step with its
+/// square.
 #[test]
 fn half_the_error_leaves_a_quarter_of_what_the_linear_step_misses() {
     let (control, machine, offsets) = planar(Composition::STANDARD, Composition::ELASTIC);
@@ -60,13 +62,13 @@ fn half_the_error_leaves_a_quarter_of_what_the_linear_step_misses() {
     };
     for distance in [0.4, 0.2] {
         let ((whole, misses), (half, half_misses)) = (missed(distance), missed(0.5 * distance));
-        // the next order of both is the distance over the size of the robot
+        // the next order of both is the distance divided by the size of the robot
         assert!((whole / half - 2.0).abs() < 0.5 * distance, "{whole} {half}");
         assert!((misses / half_misses - 4.0).abs() < 3.0 * distance, "{misses} {half_misses}");
     }
 }
 
-/// Under force control a control model that is like the machine makes no error at all (eq. 3.25, 3.26), to 1e-9 m.
+/// Under force control a control model like the machine makes no error at all (eq. 3.25, 3.26), to 1e-9 m.
 #[test]
 fn a_control_model_like_its_machine_makes_no_error() {
     let (control, machine, offsets) = planar(Composition::ELASTIC, Composition::ELASTIC);
@@ -77,7 +79,7 @@ fn a_control_model_like_its_machine_makes_no_error() {
     assert!(found.summary.linear_position_error_m.max < 1e-9, "{:?}", found.summary);
 }
 
-/// A rigid machine with other anchors: the step of least squares is exact to first order too.
+/// For a rigid machine with other anchors the least-squares step is exact to first order too.
 #[test]
 fn the_linear_step_of_a_rigid_machine_is_that_of_least_squares() {
     let robot = Robot::builtin("planar-example").unwrap();
@@ -96,7 +98,7 @@ fn the_linear_step_of_a_rigid_machine_is_that_of_least_squares() {
     assert!((misses / half_misses - 4.0).abs() < 0.1, "{misses} {half_misses}");
 }
 
-/// Towards a zero of the error what the step misses of the tensions falls with the square of the distance.
+/// Towards a zero of the error, the tension error of the step falls with the square of the distance.
 #[test]
 fn a_third_of_the_distance_leaves_a_ninth_of_what_the_step_misses_of_the_tensions() {
     let (control, machine, offsets) = planar(Composition::STANDARD, Composition::ELASTIC);
@@ -108,11 +110,12 @@ fn a_third_of_the_distance_leaves_a_ninth_of_what_the_step_misses_of_the_tension
         step.iter().zip(&exact).map(|(step, exact)| (step - exact).powi(2)).sum::<f64>().sqrt()
     };
     let [far, near] = [missed(0.3), missed(0.1)];
-    // a ninth, and a bit for the third order
+    // a ninth, with some margin for the third order
     assert!(near > 1e-3 && near < far / 8.0 && near > far / 10.0, "{far} {near}");
 }
 
-/// −(∂q_θ/∂x)/(∂q_θ/∂T) is the change of a tension at a fixed length: central differences over poses at which the cables are held.
+/// −(∂q_θ/∂x)/(∂q_θ/∂T) is the change of a tension at fixed length: central differences over poses at which the cables
+/// are held.
 #[test]
 fn tensions_follow_the_platform_at_fixed_lengths_as_differences_say() {
     let mut robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
@@ -129,7 +132,7 @@ fn tensions_follow_the_platform_at_fixed_lengths_as_differences_say() {
             let input = cdpr_model::cable::CableInput::ControlledLength(lengths[cable]);
             machine.cable_state(cable, pose, input).unwrap().outlet_tension
         };
-        // long enough for a length found to 1e-12 m in cables of 1e6 N/m
+        // large enough for lengths accurate to 1e-12 m in cables of 1e6 N/m
         let h = 1e-5;
         let held = linear::Held::at(&machine, &pose, &lengths).unwrap();
         for twist in machine.twist_basis() {

@@ -1,21 +1,22 @@
-//! Census of a grid of commanded positions, taken once for any threshold of the error.
+//! Census of a grid of commanded positions, taken once for all thresholds of the error.
 
 use super::{Errors, Forces, Reachable, Requirements, tension_margin};
 use cdpr_model::geometry::Pose;
 use cdpr_workspace::grid::Grid;
 use cdpr_workspace::{Point, Region};
 
-/// Errors and tension margin that emerge when the middle of one cell is commanded.
+/// Errors and tension margin if the middle of one cell is commanded.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Cell {
-    /// Distance between commanded and emerging position (m); infinite where the platform comes to no rest, and where one in which a
-    /// slack cable breaks its limits was not looked for.
+    /// Distance between commanded and emerging position (m); infinite if the platform does not come to rest, or if a
+    /// slack cable would break its limits, so that no pose was sought.
     pub position_error: f64,
-    /// Angle between commanded and emerging orientation (rad); infinite likewise.
+    /// Angle between commanded and emerging orientation (rad); infinite in the same cases.
     pub rotation_error: f64,
-    /// Least distance of the tensions from their limits as a share of the range; infinite without limits.
+    /// Least distance of the tensions from their limits as a fraction of the range; infinite without limits.
     pub tension_margin: f64,
-    /// Largest difference between an emerging and its commanded tension (N); 0 where none are commanded, infinite as that of the position.
+    /// Largest difference between an emerging and its commanded tension (N); 0 if none are commanded, infinite in the
+    /// same cases.
     pub tension_error: f64,
 }
 
@@ -24,9 +25,9 @@ pub struct Cell {
 pub struct Census {
     /// One entry per cell.
     pub cells: Vec<Cell>,
-    /// The largest angle that was required (rad).
+    /// Largest rotation error that is allowed (rad).
     rotation_error_max: Option<f64>,
-    /// The largest error of a tension that was required (N).
+    /// Largest tension error that is allowed (N).
     tension_error_max: Option<f64>,
 }
 
@@ -38,7 +39,7 @@ impl Census {
         let pose = |point: Point| Pose { position: region.position(&point), rotation };
         let poses: Vec<Pose> = (0..grid.slabs()).flat_map(slab).map(pose).collect();
         let &Requirements { rotation_error_max, tension_error_max, .. } = reachable.requirements();
-        // a slack cable breaks its limit: nothing else counts then
+        // a slack cable breaks its limit, so that the cell is not reached anyway
         let only_taut = reachable.needs_all_taut();
         let cells = reachable.driving().each_share(&poses, |poses| {
             let cells = reachable.of_emerging(poses, only_taut, |commanded, emerging, forces| {
@@ -49,7 +50,8 @@ impl Census {
         Self { rotation_error_max, tension_error_max, cells }
     }
 
-    /// Which cells are reached as required, with a position error of at most this (m) in place of the required one.
+    /// For each cell whether it is reached within the requirements, with this position error (m) instead of the
+    /// required one.
     pub fn reached(&self, position_error_max: Option<f64>) -> Vec<bool> {
         let most = position_error_max.unwrap_or(f64::MAX);
         let turn = self.rotation_error_max.unwrap_or(f64::MAX);
@@ -61,7 +63,7 @@ impl Census {
 }
 
 impl Cell {
-    /// Cell in which the platform comes to no rest that could count.
+    /// Cell in which the platform does not come to rest within the requirements.
     const NOWHERE: Self = Self {
         position_error: f64::INFINITY,
         rotation_error: f64::INFINITY,

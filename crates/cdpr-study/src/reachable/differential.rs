@@ -1,4 +1,5 @@
-//! The differential hull of the reachable workspace: how its boundary moves with any number of control model, machine and winches.
+//! The differential hull of the reachable workspace: the motion of its boundary with any number of control model,
+//! machine and winches.
 
 use super::{Reachable, Requirements};
 use crate::sensitivity::{Kind, ParameterDeviation, Side};
@@ -25,9 +26,10 @@ pub struct Varied {
 }
 
 impl Varied {
-    /// Those of a reachable workspace, a cause deviating by this (its unit); winches keep what they were set to.
+    /// Control model, machine and winches of a reachable workspace, with a cause deviating by `by` (its unit); the
+    /// winches keep their settings.
     ///
-    /// Refuses initial tensions: they are no number of their own but come with all winch offsets at once.
+    /// An error for initial tensions: they are not a number of their own, but change with all winch offsets at once.
     pub fn new(reachable: &Reachable, cause: &ParameterDeviation, by: f64) -> Result<Self, InputError> {
         let driving = reachable.driving();
         let reason = "with a number that changes, its corrections would be those of another model";
@@ -56,7 +58,7 @@ impl Varied {
         })
     }
 
-    /// Reachable workspace with the change; machines with history come to every pose as without it.
+    /// Reachable workspace with the change; machines with history come to every pose on the same path as without it.
     pub fn reachable(&self) -> Result<Reachable, InputError> {
         let control = Control { tension_method: self.tension_method, ..Control::from(&self.control) };
         let driving = Driving::new(control, &self.machine, &self.offsets)?;
@@ -64,9 +66,9 @@ impl Varied {
     }
 }
 
-/// How fast the end of each ray of a hull moves with a number, to first order (m per its unit).
+/// Rate at which the end of each ray of a hull moves with a number, to first order (m per its unit).
 ///
-/// `hull` is that of `reachable` in `region`.
+/// `hull` is the hull of `reachable` in `region`.
 pub fn differential_hull(
     reachable: &Reachable,
     region: &Region<'_>,
@@ -77,7 +79,7 @@ pub fn differential_hull(
     let [below, above] = [Varied::new(reachable, cause, -step)?, Varied::new(reachable, cause, step)?];
     let [less, more] = [below.reachable()?, above.reachable()?];
     let [below, above] = [region.with_criterion(&less), region.with_criterion(&more)];
-    // margins bend over decimetres; solutions are exact to 1e-11 m
+    // margins are smooth over decimetres; solutions are exact to 1e-11 m
     let differences = Differences { parameter: step, radius: 1e-5 };
     Ok(motion(hull, region, [&below, &above], differences))
 }

@@ -6,16 +6,16 @@ use cdpr_workspace::grid::Grid;
 use cdpr_workspace::hull::Hull;
 use cdpr_workspace::{Point, Region};
 
-/// Size (m², m³) of the region of emerging positions that belongs to cells of commanded ones.
+/// Size (m², m³) of the image of cells of commanded positions: the region of emerging positions.
 ///
-/// Each cell counts with the determinant of ∂x̂/∂x, by differences over half a cell: what is reached twice counts twice.
-/// `cells` are slab and index of the cells that are reached, as [`Grid::point`] takes them.
+/// Each cell counts with the determinant of ∂x̂/∂x, from differences over half a cell; a position reached twice counts
+/// twice. `cells` are slab and index of the reached cells, as in [`Grid::point`].
 pub fn emerging_size(reachable: &Reachable, region: &Region<'_>, grid: &Grid, cells: &[(usize, usize)]) -> f64 {
     let sizes = |cells: &[(usize, usize)]| {
         let middles: Vec<Point> = cells.iter().map(|&(slab, index)| grid.point(slab, index)).collect();
         stretches(reachable, region, grid, &middles)
     };
-    // all sizes are there before they are added: the order of a sum decides its last digits
+    // all sizes are computed before they are added: the order of a sum affects its last digits
     grid.cell_size() * reachable.driving().each_share(cells, sizes).iter().sum::<f64>()
 }
 
@@ -54,12 +54,12 @@ fn emerging(reachable: &Reachable, region: &Region<'_>, points: &[Point]) -> Vec
     reachable.emerging_positions(region, &poses)
 }
 
-/// A hull of commanded positions where the platform comes to rest.
+/// The image of a hull of commanded positions: the positions at which the platform comes to rest.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Image {
     /// The emerging position of each corner of the hull (m).
     pub vertices: Vec<Point>,
-    /// Area (m²) or volume (m³) within.
+    /// Area (m²) or volume (m³) inside.
     pub size: f64,
 }
 
@@ -67,7 +67,7 @@ pub struct Image {
 pub fn image_of(reachable: &Reachable, region: &Region<'_>, hull: &Hull) -> Option<Image> {
     let ends = reachable.driving().each_share(&hull.vertices(), |corners| emerging(reachable, region, corners));
     let vertices: Vec<Point> = ends.into_iter().collect::<Option<_>>()?;
-    // measured from a point within, so that a hull far from the origin loses no digits
+    // measured from a point inside, so that a hull far from the origin loses no digits
     let beside = |corner: u32| {
         let vertex = vertices[corner as usize];
         nalgebra::Vector3::from([0, 1, 2].map(|axis| vertex[axis] - hull.center[axis]))

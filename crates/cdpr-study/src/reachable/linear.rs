@@ -1,4 +1,4 @@
-//! The reachable workspace as one linear step from the commanded pose tells it (eq. 3.34, 3.35).
+//! The reachable workspace by one linear step from the commanded pose (eq. 3.34, 3.35).
 
 use super::Reachable;
 use crate::field::linear::held;
@@ -8,12 +8,13 @@ use cdpr_model::geometry::Pose;
 use cdpr_workspace::Verdict;
 use cdpr_workspace::criterion::Criterion;
 
-/// Poses that are reached by the requirements of a reachable workspace where the machine answers by one linear step: δx = K_wx⁻¹ (Aᵀ f + w) and
-/// f̂ ≈ f − K A δx, both from the tensions f = f(q_θ) of the cables that are held at the commanded pose. A rigid machine reaches nothing so.
+/// Poses reached within the requirements of a reachable workspace if the machine answers by one linear step: δx =
+/// K_wx⁻¹ (Aᵀ f + w) and f̂ ≈ f − K A δx, both from the tensions f = f(q_θ) of the cables held at the commanded pose.
+/// For a rigid machine no pose is reached in this way.
 struct ByLinearStep<'r>(&'r Reachable);
 
 impl Reachable {
-    /// The same question to one linear step, which needs no forward problem.
+    /// The same criterion by one linear step, without a forward problem.
     pub fn by_linear_step(&self) -> impl Criterion {
         ByLinearStep(self)
     }

@@ -55,7 +55,7 @@ fn box_of_the_example() -> Bounds {
 
 /// maths.md, sec. 4: 71.15 m² physical, 51.8 m² reachable (72.8 %) without a limit of the error.
 ///
-/// Cells of 5 cm: the boundary is 30 m long, so that chance alone leaves about 0.02 m²; the reference has three digits.
+/// Cells of 5 cm: the boundary is 30 m long, so that chance alone causes about 0.02 m²; the reference has three digits.
 #[test]
 fn the_planar_example_reaches_less_than_three_quarters_of_its_physical_workspace() {
     let planar = Planar::new();
@@ -88,17 +88,17 @@ fn hull_and_grid_agree_and_the_image_of_the_hull_has_the_size_that_stretches_giv
     let counted = outcome.size;
     // 360 chords of a boundary with corners, and cells of 5 cm
     assert!((size / counted - 1.0).abs() < 3e-3, "{size} {counted}");
-    // beside the anchors lie slivers of a few cells
+    // near the anchors lie slivers of a few cells
     let parts = components(&grid, &answers);
     assert!(parts[0].size > 0.99 * counted && parts.len() > 1, "{parts:?}");
     let image = image_of(&reachable, &region, &found).unwrap();
     let emerging = emerging_size(&reachable, &region, &grid, &cells);
-    // stretches by differences over 2.5 cm of fields that change over metres
+    // determinants from differences over 2.5 cm of fields that vary over metres
     assert!((image.size - size - (emerging - counted)).abs() < 0.05, "{} {size} {emerging} {counted}", image.size);
     assert!((image.size - size).abs() > 0.01, "emerging and commanded poses shall differ");
 }
 
-/// A tighter error can only take poses away, and each reason names what it breaks.
+/// A tighter error bound only removes poses, and each reason names the broken requirement.
 #[test]
 fn reasons_name_the_requirement_that_is_broken() {
     let planar = Planar::new();
@@ -114,8 +114,9 @@ fn reasons_name_the_requirement_that_is_broken() {
     assert!(verdict.cable.is_some());
 }
 
-/// The rates of the planar example's hull by an anchor of the machine, by one of the control model, by a stiffness and by a winch offset
-/// against hulls found anew with a change that moves the boundary by about a millimetre: the second order is below a hundredth of that.
+/// The rates of the planar example's hull by an anchor of the machine, by one of the control model, by a stiffness and
+/// by a winch offset, against hulls computed again with a change that moves the boundary by about a millimetre: the
+/// second order is below a hundredth of that.
 #[test]
 fn the_differential_hull_is_that_of_small_changes() {
     let planar = Planar::new();
@@ -142,7 +143,7 @@ fn the_differential_hull_is_that_of_small_changes() {
         let mut compared = 0;
         for (ray, rate) in moved.rates.iter().enumerate().filter_map(|(ray, rate)| Some((ray, (*rate)?))) {
             let slope = (more[ray] - less[ray]) / (2.0 * change);
-            // where another cable begins to limit within the change, the boundary has a corner
+            // where another cable becomes the limiting one within the change, the boundary has a corner
             compared += usize::from((slope - rate).abs() < 0.01 * (1.0 + rate.abs()));
         }
         assert!(compared >= 57, "{side:?} {kind:?}: {compared}");
@@ -153,7 +154,7 @@ fn the_differential_hull_is_that_of_small_changes() {
     assert_eq!(refused.err(), Some(InputError::TensionsVaryTogether));
 }
 
-/// The batches judge as the single poses do, in a box far beyond the frame, where most cables hang slack.
+/// Batches agree with single poses, in a box far larger than the frame, where most cables hang slack.
 #[test]
 fn many_poses_are_reached_where_each_is() {
     let control =
@@ -182,7 +183,8 @@ fn many_poses_are_reached_where_each_is() {
     }
 }
 
-/// Batches against poses that are commanded one by one: the same cells, and errors to the pose tolerance of the forward problem.
+/// Batches against poses commanded one by one: the same cells, and errors equal to the pose tolerance of the forward
+/// problem.
 #[test]
 fn a_census_says_of_every_cell_what_its_pose_says_alone() {
     let nominal = Robot::builtin("cablerobot-simulator-helicopter").unwrap();

@@ -7,9 +7,9 @@ use cdpr_model::control::InputError;
 use cdpr_model::control::OperationError;
 
 impl Sensitivity<'_> {
-    /// The derivatives at poses that are commanded one after the other.
+    /// The derivatives at poses that are commanded in this order.
     ///
-    /// Machines whose cables remember have them by differences, with an estimate of their error, where their path is not smooth
+    /// For machines with hysteresis they are differences with an estimate of their error where the path is not smooth
     /// ([`Differentiation`](super::Differentiation)).
     pub fn along(&mut self, commands: &[CommandedPose]) -> Result<Vec<PoseSensitivity>, InputError> {
         match remembers(self.machine) {
@@ -18,7 +18,7 @@ impl Sensitivity<'_> {
         }
     }
 
-    /// The derivatives at a commanded pose, the first of its path for machines whose cables remember.
+    /// The derivatives at a commanded pose; for machines with hysteresis, as the first pose of its path.
     pub fn at(&mut self, command: &CommandedPose) -> Result<PoseSensitivity, InputError> {
         if remembers(self.machine) {
             let mut alone = remembering::along(self, std::slice::from_ref(command))?;

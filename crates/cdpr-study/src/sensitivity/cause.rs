@@ -1,4 +1,4 @@
-//! Deviations of parameters of a control model, of a machine and of how its winches were set.
+//! Deviations of parameters of a control model, of a machine and of its winch settings.
 
 use std::fmt;
 
@@ -11,27 +11,28 @@ use cdpr_model::robot::{Parameter, ParameterKind, Robot};
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Side {
-    /// The control model's, in the controller's file.
+    /// The control model, with the numbers in the controller's file.
     Control,
-    /// The machine's, in the hall.
+    /// The machine, with its real numbers.
     Machine,
-    /// How the winches were set at the initial pose.
+    /// The winch settings at the initial pose.
     Winches,
 }
 
-/// A kind of what may deviate.
+/// Kind of a deviation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 #[non_exhaustive]
 pub enum Kind {
-    /// A number of a robot; stiffness as a share of it: 0.01 makes the cable 1 % stiffer.
+    /// A number of a robot; stiffness as a relative change: 0.01 makes the cable 1 % stiffer.
     Parameter(ParameterKind),
     /// Winch offset (m).
     WinchOffset,
-    /// Initial tension, brought into balance with the load by the smallest change of all (N).
+    /// Initial tension (N), brought into balance with the load by the smallest change of all tensions.
     InitialTension,
 }
 
-/// Numbers of a cable that may deviate; turns of an axis about both directions, also the one of a drum's axis by which lengths do not change.
+/// Numbers of a cable that may deviate; axes turn about two directions, including that of a drum's axis in which
+/// lengths do not change.
 const OF_CABLES: [ParameterKind; 13] = [
     ParameterKind::FrameAnchor,
     ParameterKind::PlatformAnchor,
@@ -58,7 +59,7 @@ impl Kind {
         }
     }
 
-    /// Unit of a deviation, `1` for a share.
+    /// Unit of a deviation, `1` for a relative change.
     pub fn unit(self) -> &'static str {
         match self {
             Self::Parameter(ParameterKind::LengthScale | ParameterKind::AxialStiffness) => "1",
@@ -68,8 +69,8 @@ impl Kind {
         }
     }
 
-    /// Deviation by which an exact model is moved to and fro where it has no analytic derivative: far above rounding, far below
-    /// what bends.
+    /// Step of the differences for a deviation without an analytic derivative: far above rounding, far below nonlinear
+    /// effects.
     pub(crate) fn difference_step(self) -> f64 {
         match self.unit() {
             "m" | "1" => 1e-5,
@@ -102,16 +103,16 @@ impl Side {
     }
 }
 
-/// One number that may deviate.
+/// A number that may deviate.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub struct ParameterDeviation {
     /// Side of the deviation: control model, machine or winches.
     pub side: Side,
     /// Kind of the parameter.
     pub kind: Kind,
-    /// Cable it belongs to, from 0; 0 for what the platform has.
+    /// Cable of the parameter, from 0; 0 for parameters of the platform.
     pub cable: usize,
-    /// Component along the axes of the pattern (turns for moments), from 0; 0 for what has none.
+    /// Component along the axes of the pattern (for moments about its rotations), from 0; 0 for scalars.
     pub axis: usize,
 }
 
@@ -125,7 +126,7 @@ impl ParameterDeviation {
         }
     }
 
-    /// The number of the robot that deviates; `None` for what the winches have.
+    /// The robot's parameter that deviates; `None` for those of the winches.
     pub(crate) fn parameter(&self) -> Option<Parameter> {
         match self.kind {
             Kind::Parameter(kind) => Some(Parameter { cable: self.cable, kind, axis: self.axis }),
@@ -133,8 +134,8 @@ impl ParameterDeviation {
         }
     }
 
-    /// The parameter of a single cable whose derivative row it has, and its change per unit of deviation at a model's values: 1 but for the
-    /// stiffness, whose compliance falls.
+    /// The parameter of a single cable by which the derivative is taken, and its change per unit of the deviation at a
+    /// model's values: 1, except for stiffness, whose increase lowers the compliance.
     pub(super) fn cable_parameter(&self, model: &Model) -> Option<(Parameter, f64)> {
         let parameter = self.parameter().filter(|parameter| OF_CABLES.contains(&parameter.kind))?;
         Some(match parameter.kind {
@@ -146,9 +147,10 @@ impl ParameterDeviation {
         })
     }
 
-    /// Writes the deviation into a robot, `model` being the one without deviations; what the winches have is no robot's.
+    /// Writes the deviation into a robot, with `model` the one without deviations; deviations of the winches have no
+    /// effect.
     ///
-    /// A parameter stays within what it may be: no radius below 0, no stiffness below a thousandth.
+    /// A parameter is clamped to its bounds: no radius below 0, no stiffness below a thousandth.
     pub fn deviate(&self, model: &Model, robot: &mut Robot, by: f64) {
         let Some(parameter) = self.parameter() else { return };
         let (least, largest) = parameter.bounds();
@@ -158,7 +160,7 @@ impl ParameterDeviation {
                 let compliance = Parameter { kind: ParameterKind::Compliance, ..parameter };
                 compliance.set(robot, compliance.value(robot) / f64::max(1.0 + by, 1e-3));
             }
-            // a platform whose mass or centre is unknown has none that could deviate
+            // a platform with unknown mass or centre has none that could deviate
             ParameterKind::Mass | ParameterKind::CenterOfMass if parameter.get(robot).is_none() => {}
             _ => parameter.set(robot, moved(model.robot())),
         }
@@ -204,7 +206,7 @@ fn deviation(side: Side, Parameter { cable, kind, axis }: Parameter) -> Paramete
 const OF_PLATFORM: [ParameterKind; 4] =
     [ParameterKind::Force, ParameterKind::Moment, ParameterKind::Mass, ParameterKind::CenterOfMass];
 
-/// True for a number of the platform by which its load changes.
+/// True for a number of the platform that changes its load.
 fn acts(kind: ParameterKind, model: &Model) -> bool {
     match kind {
         ParameterKind::Mass => weighs(model),
@@ -216,31 +218,31 @@ fn acts(kind: ParameterKind, model: &Model) -> bool {
     }
 }
 
-/// True for a platform that is a point.
+/// True if the platform is a point.
 fn is_point(model: &Model) -> bool {
     model.dof() == model.axes().len() && model.robot().cables.iter().all(|cable| cable.platform_anchor.norm() == 0.0)
 }
 
-/// True where the platform's weight is part of the load.
+/// True if the platform's weight is part of the load.
 fn weighs(model: &Model) -> bool {
     let robot = model.robot();
     let is_included = robot.external_wrench.as_ref().is_some_and(|external| external.includes_gravity);
     !is_included && robot.platform.mass.is_some() && robot.gravity.is_some()
 }
 
-/// True for a number that a cable of a model has.
+/// True for a number that a cable of the model has.
 fn belongs(kind: ParameterKind, model: &Model, cable: usize) -> bool {
     let composition = model.composition();
     let of_robot = &model.robot().cables[cable];
     let is_spring = of_robot.spring_constant().is_some();
     match kind {
-        // a point platform has no anchors to measure
+        // the anchors of a point platform cannot deviate
         ParameterKind::PlatformAnchor => !is_point(model),
         ParameterKind::PulleyRadius => composition.pulley,
         ParameterKind::SwivelAxis => composition.pulley && of_robot.pulley_swivel_axis().is_some(),
         ParameterKind::DrumRadius | ParameterKind::DrumPitch => composition.drum,
         ParameterKind::StartLength | ParameterKind::StartAngle => composition.drum,
-        // a guide that travels with the cable makes the axis indifferent
+        // with a guide that travels with the cable the axis has no effect
         ParameterKind::DrumAxis => composition.drum && of_robot.winch.guided != Some(true),
         ParameterKind::AxialStiffness => {
             let compliance = Parameter { cable, kind: ParameterKind::Compliance, axis: 0 }.value(model.robot());

@@ -1,15 +1,15 @@
-//! How chosen tensions follow the model, by any method of tension distribution.
+//! Derivatives of chosen tensions by the model, for any method of tension distribution.
 //!
-//! A method takes structure matrix and load to tensions; how these follow is told by [`Response`]. A deviation changes the
-//! column of its cable and the load. The pulls W(f, p) of sagging cables turn with their tensions: the method is given
-//! ∂W/∂f as matrix and w + W − ∂W/∂f f as load, and its tensions are those at which both were taken. Differentiated, a deviation changes the
-//! column by ∂²W/∂f∂p and the load by ∂W/∂p − ∂²W/∂f∂p f, a tension its own column by ∂²W/∂f² and the load by −∂²W/∂f² f, so that with
-//! the response R
+//! A method maps structure matrix and load to tensions; [`Response`] has the derivatives of this map. A deviation
+//! changes the column of its cable and the load. The pulls W(f, p) of sagging cables turn with their tensions: the
+//! method is given ∂W/∂f as matrix and w + W − ∂W/∂f f as load, and its tensions are those at which both were
+//! evaluated. By differentiation, a deviation changes the column by ∂²W/∂f∂p and the load by ∂W/∂p − ∂²W/∂f∂p f; a
+//! tension changes its own column by ∂²W/∂f² and the load by −∂²W/∂f² f, so that with the response R
 //!
 //! df = R(dp) + K df,  K's column of cable i = R(∂²Wᵢ/∂fᵢ², −∂²Wᵢ/∂fᵢ² fᵢ),  df = (I − K)⁻¹ R(dp).
 //!
-//! ∂W/∂f and ∂W/∂p are those of the cable's own equations; their slopes along the tension are differences of fourth order of these
-//! derivatives, of one cable at a time.
+//! ∂W/∂f and ∂W/∂p are those of the cable's own equations; their slopes along the tension are differences of fourth
+//! order of these derivatives, for one cable at a time.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -21,7 +21,8 @@ use cdpr_model::model::Model;
 use cdpr_model::statics::{Load, StaticsError, cable_state};
 use cdpr_model::tension::{Limits, Method, NotSmooth, Response};
 
-/// Share of a tension (of 1 N at least) over which slopes of derivatives are taken: h⁴ and rounding over h are both below 1e-9 of what they belong to.
+/// Fraction of a tension (of 1 N at least) over which slopes of derivatives are taken: h⁴ and rounding over h are both
+/// below 1e-9 of the derivatives.
 const STEP: f64 = 1e-3;
 
 /// Chosen tensions of a model at a pose.
@@ -35,7 +36,7 @@ pub(super) struct Choice<'a> {
 }
 
 impl<'a> Choice<'a> {
-    /// Tensions that a method has chosen within limits, or why they do not follow changes.
+    /// Tensions that a method has chosen within limits, or the reason for which they have no derivative.
     pub(super) fn by(
         method: Method,
         model: &'a Model,
@@ -54,7 +55,7 @@ impl<'a> Choice<'a> {
         Self::new(model, pose, tensions, response)
     }
 
-    /// The balanced tensions nearest to a reference (N), whatever the limits.
+    /// The balanced tensions nearest to a reference (N), without limits.
     pub(super) fn nearest(
         model: &'a Model,
         pose: &Pose,
@@ -108,7 +109,7 @@ impl<'a> Choice<'a> {
         self.turned(self.response.change_by_reference(cable))
     }
 
-    /// With what the turning of sagging cables adds.
+    /// A change with the effect of turning sagging cables added.
     fn turned(&self, change: DVector<f64>) -> DVector<f64> {
         match &self.turning {
             Some(turning) => turning * change,
@@ -116,7 +117,7 @@ impl<'a> Choice<'a> {
         }
     }
 
-    /// How a wrench of one cable grows with its tension, in the pattern's rows.
+    /// Slope of a wrench of one cable along its tension, in the pattern's rows.
     fn slope_by_tension(
         &self,
         cable: usize,

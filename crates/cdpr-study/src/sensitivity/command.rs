@@ -1,4 +1,4 @@
-//! How the lengths that a control model sends follow its parameters.
+//! Derivatives of the lengths that a control model sends, by its parameters.
 
 use nalgebra::DVector;
 
@@ -11,18 +11,18 @@ use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 use cdpr_model::statics::{StaticsError, cable_state};
 
-/// A control model with what its derivatives need.
+/// A control model with the data for its derivatives.
 pub(super) struct Command {
     control: Control,
-    /// How tensions are chosen, where lengths depend on them.
+    /// Choice of tensions; `None` if lengths do not depend on tensions.
     choice: Option<TensionChoice>,
 }
 
 /// Changes of a command at a pose, per unit of each cause.
 pub(super) struct Commanded {
-    /// Of the tensions (N).
+    /// Changes of the tensions (N).
     pub(super) tension_changes: Vec<DVector<f64>>,
-    /// Of the lengths in the units of the control model's encoders (m), at fixed memories of its cables.
+    /// Changes of the lengths in the units of the control model's encoders (m), at fixed memories of its cables.
     pub(super) lengths: Vec<DVector<f64>>,
 }
 
@@ -32,7 +32,7 @@ impl Command {
         Ok(Self { control, choice })
     }
 
-    /// Tensions at a pose (N), or why there are none; zeros where lengths depend on none.
+    /// Tensions at a pose (N), or the reason for which there are none; zeros if lengths do not depend on tensions.
     pub(super) fn tensions(&mut self, pose: &Pose) -> Result<Vec<f64>, OperationError> {
         let Some(TensionChoice { solver, .. }) = &mut self.choice else {
             return Ok(vec![0.0; self.control.model.cable_count()]);
@@ -44,7 +44,8 @@ impl Command {
         }
     }
 
-    /// Changes of the command at a pose with each cause, or why there are none; `model` is the control model as its cables remember.
+    /// Changes of the command at a pose with each cause, or the reason for which there are none; `model` is the control
+    /// model with the present memories of its cables.
     pub(super) fn by_causes(
         &mut self,
         model: &Model,

@@ -1,4 +1,4 @@
-//! Derivatives at a pose, and how they were taken.
+//! Derivatives at a pose, and their method.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -7,25 +7,25 @@ use super::kink::Kink;
 /// Derivatives by every cause, a column each.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Derivatives {
-    /// Displacement of the emerging pose in the pattern's degrees of freedom, translations first (m, rad; world axes), per unit
-    /// of the cause.
+    /// Displacement of the emerging pose in the pattern's degrees of freedom, translations first (m, rad; world axes),
+    /// per unit of the cause.
     pub pose: DMatrix<f64>,
     /// Change of the tensions (N); `None` for a rigid machine.
     pub tensions: Option<DMatrix<f64>>,
-    /// Way in which they were taken.
+    /// Method by which they were computed.
     pub differentiation: Differentiation,
 }
 
-/// Way in which derivatives are taken.
+/// Method by which derivatives are computed.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Differentiation {
-    /// By the implicit function theorem, along the whole path of cables that remember.
+    /// By the implicit function theorem, along the whole path for cables with memory.
     Exact,
-    /// By central differences of the exact forward problem, along the path with every number deviating.
+    /// By central differences of the exact forward problem along the path, for each number in turn.
     Differences {
         /// Largest error that a component of each column of [`Derivatives::pose`] may have (its units).
         errors: DVector<f64>,
-        /// Reason why no derivative leads to the pose.
+        /// Reason for which no exact derivative leads to the pose.
         kink: Kink,
     },
 }
@@ -44,7 +44,7 @@ impl Derivatives {
         self.pose.column(cause).rows(0, translations).norm()
     }
 
-    /// Angle that the platform turns per unit of a cause (rad); 0 for patterns without turns.
+    /// Angle that the platform turns per unit of a cause (rad); 0 for patterns without rotation.
     pub(crate) fn rotation(&self, translations: usize, cause: usize) -> f64 {
         self.pose.column(cause).rows(translations, self.pose.nrows() - translations).norm()
     }

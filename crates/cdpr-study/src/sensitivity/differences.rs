@@ -1,9 +1,10 @@
-//! Derivatives by differences, where none leads along the path of cables that remember.
+//! Derivatives by differences, for cables with memory on paths without exact derivatives.
 //!
-//! The machine drives the path with a deviation of ±h and of ±h/2, by its exact forward problem, and each pose has the central differences
-//! D(h) and D(h/2). (4 D(h/2) − D(h))/3 is exact to h⁴, and |D(h/2) − D(h)|/3 is what D(h/2) is off by: rounding of the solves and
-//! what bends. The law is smooth in pieces; where a deviation between h/2 and h changes the branch of a cable the estimate tells. At the
-//! end of a branch itself the difference is the mean of the derivatives on both sides.
+//! The machine drives the path with a deviation of ±h and of ±h/2, by its exact forward problem, and each pose has the
+//! central differences D(h) and D(h/2). (4 D(h/2) − D(h))/3 is exact to h⁴, and |D(h/2) − D(h)|/3 is the error of
+//! D(h/2): rounding of the solves and nonlinear terms. The law is piecewise smooth; if a deviation between h/2 and h
+//! changes the branch of a cable, the estimate shows it. At the end of a branch the difference is the mean of the
+//! derivatives on both sides.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -21,17 +22,18 @@ use cdpr_model::model::Model;
 /// Outcomes of the path at −h, h, −h/2, h/2.
 type Shifted = [Vec<Outcome>; 4];
 
-/// Paths with every number deviating.
+/// Outcomes along the path with each number deviating.
 pub(super) struct Differences<'a> {
     sensitivity: &'a Sensitivity<'a>,
-    /// Poses driven to, in order.
+    /// Indices of the poses driven to, in ascending order.
     places: Vec<usize>,
-    /// Outcomes at them, cause by cause.
+    /// Outcomes at these poses, cause by cause.
     shifted: Vec<Shifted>,
 }
 
 impl<'a> Differences<'a> {
-    /// Drives to some of the commanded poses (ascending), and to those before them where each is reached from the last.
+    /// Drives to some of the commanded poses (ascending), and to all before them if each is reached from the one
+    /// before.
     pub(super) fn new(
         sensitivity: &'a Sensitivity<'_>,
         commands: &[CommandedPose],
@@ -50,7 +52,7 @@ impl<'a> Differences<'a> {
         Ok(Self { sensitivity, places, shifted })
     }
 
-    /// The derivatives at one of the poses wanted, which no other ones lead to for this reason.
+    /// The derivatives at one of the requested poses; `kink` is the reason for which it has no exact ones.
     pub(super) fn derivatives(&self, place: usize, kink: Kink) -> Result<Derivatives, OperationError> {
         let Sensitivity { machine, causes, .. } = self.sensitivity;
         let place = self.places.partition_point(|&other| other < place);
@@ -112,7 +114,7 @@ impl Path<'_> {
         Ok([drive(-step)?, drive(step)?, drive(-0.5 * step)?, drive(0.5 * step)?])
     }
 
-    /// The path of a machine with one number changed.
+    /// Outcomes along the path with one number changed.
     fn deviating(&self, column: usize, by: f64) -> Result<Vec<Outcome>, InputError> {
         let Sensitivity { control, machine, winch_offsets, causes, offsets, .. } = self.sensitivity;
         let cause = &causes[column];
@@ -131,14 +133,14 @@ impl Path<'_> {
     }
 }
 
-/// Change of the tensions from one outcome to another, by so much.
+/// Change of the tensions from one outcome to another, divided by `by`.
 fn pulled(from: &Outcome, to: &Outcome, by: f64) -> DVector<f64> {
     let (from, to) = (from.tensions.as_deref().unwrap_or_default(), to.tensions.as_deref().unwrap_or_default());
     DVector::from_iterator(to.len(), to.iter().zip(from).map(|(to, from)| (to - from) / by))
 }
 
-/// h: forward problems end within some 1e-11 m, so that differences over it are good to 1e-5 and better, and few cables have the end of
-/// a branch so near.
+/// Step h: forward problems end within some 1e-11 m, so that differences over it are accurate to 1e-5 and better, and
+/// few cables are so near to the end of a branch.
 fn step(cause: &ParameterDeviation) -> f64 {
     match cause.kind.unit() {
         "m" | "1" => 1e-5,

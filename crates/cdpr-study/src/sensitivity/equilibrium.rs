@@ -1,13 +1,13 @@
-//! A machine at rest, linearized: how pose and tensions follow what is sent and what deviates.
+//! A machine at rest, linearized: derivatives of pose and tensions by the lengths sent and by deviations.
 //!
-//! At rest Aᵀ(x, p) f + w(x, p) = 0 and s q_θ(x, f, p) + o = q_sent for every taut cable, s and o the machine's encoder scale and
-//! offset. By the implicit function theorem
+//! At rest Aᵀ(x, p) f + w(x, p) = 0 and s q_θ(x, f, p) + o = q_sent for every taut cable, s and o the machine's encoder
+//! scale and offset. By the implicit function theorem
 //!
 //! \[∂W/∂x, ∂W/∂f; ∂q/∂x, ∂q/∂f\] \[dx̂; df̂\] = \[−∂W/∂p; dq_sent − ∂q/∂p\] dp.
 //!
-//! Eliminating df̂ gives K_wx dx̂ = … (eq. 2.74), but rows of tensions also serve cables that do not stretch. A slack cable keeps
-//! f = 0. A rigid machine goes to the least-squares pose, the equilibrium of springs of 1 N/m without load whose tensions are
-//! the residuals.
+//! Eliminating df̂ gives K_wx dx̂ = … (eq. 2.74), but with the rows of tensions it also works for cables that do not
+//! stretch. A slack cable keeps f = 0. A rigid machine goes to the least-squares pose, the equilibrium of springs of 1
+//! N/m without load whose tensions are the residuals.
 
 use nalgebra::{DMatrix, DVector};
 
@@ -24,24 +24,25 @@ pub(super) struct Equilibrium<'a> {
     pose: Pose,
     cables: Vec<CableState>,
     is_slack: Vec<bool>,
-    /// Inverse of the matrix above, with tensions in `scale` newtons and wrench rows by it, which makes all of it metres.
+    /// Inverse of the matrix above, with tensions in units of `scale` newtons and wrench rows divided by it, so that
+    /// all entries are in metres.
     inverse: DMatrix<f64>,
     /// Newtons per metre.
     scale: f64,
-    /// Forces act: rigid machines have springs in the place of cables.
+    /// True if a load acts; rigid machines have springs in place of cables and no load.
     has_load: bool,
 }
 
-/// Change of a machine's answer.
+/// Change of a machine's pose and tensions.
 pub(super) struct Answer {
     /// Displacement in the pattern's degrees of freedom (m, rad).
     pub(super) pose: DVector<f64>,
-    /// Of the tensions (N).
+    /// Change of the tensions (N).
     pub(super) tensions: DVector<f64>,
 }
 
 impl<'a> Equilibrium<'a> {
-    /// An elastic machine at rest with tensions at the outlets (N); `None` where its stiffness is singular.
+    /// An elastic machine at rest with these outlet tensions (N); `None` if its stiffness is singular.
     pub(super) fn elastic(
         model: &'a Model,
         pose: &Pose,
@@ -58,7 +59,7 @@ impl<'a> Equilibrium<'a> {
         Ok(Self::of(model, pose, cables, is_slack, Some(load)))
     }
 
-    /// A rigid machine at its least-squares pose for these controlled lengths (m); `None` where they do not determine it.
+    /// A rigid machine at its least-squares pose for these controlled lengths (m); `None` if they do not determine it.
     pub(super) fn rigid(model: &'a Model, pose: &Pose, lengths: &[f64]) -> Result<Option<Self>, StaticsError> {
         let geometric = model.cable_lengths(pose)?;
         let residuals = geometric.iter().zip(lengths).map(|(q, length)| q - length);
@@ -81,7 +82,7 @@ impl<'a> Equilibrium<'a> {
         let size = n + cables.len();
         let slope = |cable: &CableState| cable.by_given_tension(1.0).1.abs();
         let softest = cables.iter().map(slope).fold(0.0, f64::max);
-        // cables that do not stretch need no unit of their own
+        // without elastic cables the unit is arbitrary
         let scale = if softest > 0.0 { 1.0 / softest } else { 1.0 };
         let mut matrix = DMatrix::zeros(size, size);
         let mut by_pose = load.map_or_else(Default::default, |load| load.gradient(pose));
@@ -106,12 +107,13 @@ impl<'a> Equilibrium<'a> {
         Some(Self { model, pose: *pose, cables, is_slack, inverse, scale, has_load: load.is_some() })
     }
 
-    /// Change of pose and tensions by a change of the lengths that are sent, in the units of the machine's encoders (m).
+    /// Change of pose and tensions by a change of the lengths sent, in the units of the machine's encoders (m).
     pub(super) fn by_sent(&self, sent: &DVector<f64>) -> Answer {
         self.answer(&self.right_side(sent, None))
     }
 
-    /// Change of pose and tensions by one unit of a deviation of this machine and the change of the lengths that goes with it (m).
+    /// Change of pose and tensions by one unit of a deviation of this machine, together with a change of the lengths
+    /// sent (m).
     pub(super) fn by_cause(&self, cause: &ParameterDeviation, sent: &DVector<f64>) -> Answer {
         self.answer(&self.right_side(sent, Some(cause)))
     }
@@ -132,7 +134,7 @@ impl<'a> Equilibrium<'a> {
         right
     }
 
-    /// Change of the wrench at a fixed state, and of the length of the cause's cable.
+    /// Change of the wrench at a fixed state, and of the length of the cause's cable, per unit of a cause.
     fn deviation(&self, cause: &ParameterDeviation) -> (Wrench, f64) {
         if let Some((parameter, change)) = cause.cable_parameter(self.model) {
             let (cable, rotation) = (cause.cable, self.pose.rotation_matrix());

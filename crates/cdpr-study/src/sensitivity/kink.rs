@@ -1,4 +1,4 @@
-//! Places of a path from which no derivative leads on.
+//! Points of a path from which no derivative continues.
 
 use std::fmt;
 
@@ -6,11 +6,12 @@ use super::cause::Side;
 use cdpr_model::control::OperationError;
 use cdpr_model::control::Status;
 
-/// Reason why no derivative leads along a path of cables that remember.
+/// Reason for which no derivative continues along a path of cables with memory.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Kink {
-    /// The motion of a cable ends within rounding where a part of its hysteresis begins to slide or to hold, and deviations lead it to either side.
+    /// The motion of a cable ends within rounding of a point where a part of its hysteresis begins to slide or to hold,
+    /// and deviations lead to either side.
     Branch {
         /// Side of the cable.
         side: Side,
@@ -24,11 +25,11 @@ pub enum Kink {
         /// The cable, from 0.
         cable: usize,
     },
-    /// The machine does not come to rest at a step of the way.
+    /// The machine does not come to rest at a step of the path.
     NoRest(Status),
-    /// Cables with weight remember: their law asks the memory at more tensions than the one at the outlet.
+    /// Cables with weight and memory: their law needs the memory at more tensions than that at the outlet.
     Sagging,
-    /// A step of the way has no derivative.
+    /// A step of the path has no derivative.
     Step(Box<OperationError>),
 }
 

@@ -1,4 +1,4 @@
-//! Memories of the cables of a model along a path, and how they follow each deviation.
+//! Memories of the cables of a model along a path, and their derivatives by each deviation.
 
 use nalgebra::DVector;
 
@@ -10,19 +10,20 @@ use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 use cdpr_model::statics::cable_state_at_outlet;
 
-/// Strain within which the end of a branch may be met: a hundred times what forward problems leave (1e-11 of the mean length).
+/// Strain within which the end of a branch counts as met: a hundred times the error of forward problems (1e-11 of the
+/// mean length).
 const ROUNDING: f64 = 1e-9;
 
-/// Share of a motion by which it may seem to cross the end of a branch that it stays on.
+/// Fraction of a motion by which it may appear to cross the end of a branch without leaving it.
 const STAYS: f64 = 1e-6;
 
-/// Strain per unit of a deviation that rounding leaves where its effects cancel, as of winches that are set anew at the pose.
+/// Strain per unit of a deviation that is left to rounding if its effects cancel, as for winches set anew at the pose.
 const CANCELLED: f64 = 1e-13;
 
-/// Changes of the memories of all cables per unit of one cause; empty for a model whose cables do not remember.
+/// Changes of the memories of all cables per unit of one cause; empty for a model whose cables have no memory.
 pub(super) type MemoryChanges = Vec<MemoryChange>;
 
-/// Cables on the motion from their memories to their tensions, linearized; empty for a model whose cables do not remember.
+/// Linearized motions of cables from their memories to their tensions; empty for a model whose cables have no memory.
 #[derive(Default)]
 pub(super) struct Motions {
     cables: Vec<Moving>,
@@ -30,12 +31,12 @@ pub(super) struct Motions {
 
 struct Moving {
     motion: Motion,
-    /// Change of the recorded length per strain, at fixed tension (m).
+    /// Change of the recorded length with the strain, at fixed tension (m).
     length_by_strain: f64,
 }
 
 impl Motions {
-    /// The motions of a model, whose laws are at the memories, to these tensions at a pose (N).
+    /// The motions of a model, whose laws have their memories, to these tensions at a pose (N).
     pub(super) fn to(model: &Model, pose: &Pose, tensions: &[f64]) -> Result<Self, Kink> {
         if !remembers(model) {
             return Ok(Self::default());
@@ -48,7 +49,8 @@ impl Motions {
         tensions.iter().enumerate().map(moving).collect::<Result<_, _>>().map(|cables| Self { cables })
     }
 
-    /// The model from whose memories no stop is in doubt, so that all that is derived from it takes the same side; `None` if none is.
+    /// The model with memories moved off the ends of branches, so that everything derived from it lies on the same
+    /// side; `None` if no cable is near one.
     pub(super) fn pushed_on(&self, model: &Model) -> Option<Model> {
         let is_in_doubt = self.cables.iter().any(|cable| cable.motion.margin() < ROUNDING);
         let memories = self.cables.iter().enumerate().filter_map(|(cable, Moving { motion, .. })| {
@@ -63,7 +65,7 @@ impl Motions {
         (0..self.cables.len()).find(|&cable| is_between(cable))
     }
 
-    /// The first cable (0-based) that meets the end of a branch, and leaves it by these changes of the memories.
+    /// The first cable (0-based) at the end of a branch that leaves it under these changes of the memories.
     fn crosses(&self, before: &[MemoryChange], after: &[MemoryChange]) -> Option<usize> {
         let moved = before.iter().chain(after).map(|change| change.strain.abs()).fold(0.0, f64::max);
         let mut changes = self.cables.iter().zip(before.iter().zip(after));
@@ -72,12 +74,13 @@ impl Motions {
         })
     }
 
-    /// True where nothing is left of what the cables remembered before.
+    /// True if the earlier memories have no effect any more.
     pub(super) fn forget(&self) -> bool {
         self.cables.iter().all(|cable| cable.motion.forgets() && cable.motion.margin() > 3.0 * ROUNDING)
     }
 
-    /// Change of the recorded lengths with the memories before, at fixed tensions (m).
+    /// Change of the recorded lengths with the memories before, at fixed tensions (m); `None` for cables without
+    /// memory.
     pub(super) fn lengths(&self, before: &[MemoryChange]) -> Option<DVector<f64>> {
         let changes = self.cables.iter().zip(before);
         let lengths: Vec<f64> =
@@ -97,19 +100,19 @@ impl Motions {
 /// Changes of the memories of control model and machine.
 #[derive(Clone, Default)]
 pub(super) struct Remembered {
-    /// Of the control model, by each of its causes, which come first.
+    /// Changes for the control model, by each of its causes, which come first.
     pub(super) control: Vec<MemoryChanges>,
-    /// Of the machine, by each cause.
+    /// Changes for the machine, by each cause.
     pub(super) machine: Vec<MemoryChanges>,
 }
 
 impl Remembered {
-    /// Cables that were never loaded, whatever deviates.
+    /// Cables that were never loaded, so that their memories depend on no cause.
     pub(super) fn nothing(control: &Model, control_causes: usize, machine: &Model, causes: usize) -> Self {
         Self { control: vec![unchanged(control); control_causes], machine: vec![unchanged(machine); causes] }
     }
 
-    /// Refuses motions from these memories to others that cross the end of a branch.
+    /// Checks that motions from these memories to others do not cross the end of a branch.
     pub(super) fn check(&self, [control, machine]: [&Motions; 2], after: &Self) -> Result<(), Kink> {
         let sides = [
             (Side::Control, control, &self.control, &after.control),
@@ -125,7 +128,7 @@ impl Remembered {
     }
 }
 
-/// True for a model whose cables remember.
+/// True for a model whose cables have a memory.
 pub(super) fn remembers(model: &Model) -> bool {
     model.composition().stretch.remembers()
 }

@@ -1,10 +1,10 @@
-//! How the emerging pose and its tensions follow every parameter: of the control model, of the machine, and of how the winches
-//! were set.
+//! Derivatives of the emerging pose and its tensions by every parameter: of the control model, of the machine, and of
+//! the winch settings.
 //!
-//! The command is fixed, so ∂(pose error) is ∂x̂. A deviation changes what is sent (its control model, its winch offsets) or what
-//! answers (its machine); the rest is the implicit function theorem at the emerging state, dx̂ = K_wx⁻¹ (∂r/∂p + ∂r/∂q_θ · ∂q_θ/∂p).
-//! Winch offsets are numbers in the winches and by default do not follow a deviation; [`Offsets`] tells. Machines whose cables remember have
-//! the same along their whole path (`remembering`).
+//! The command is fixed, so ∂(pose error) is ∂x̂. A deviation changes the lengths sent (by its control model or its
+//! winch offsets) or the machine; the rest follows from the implicit function theorem at the emerging state, dx̂ =
+//! K_wx⁻¹ (∂r/∂p + ∂r/∂q_θ · ∂q_θ/∂p). Winch offsets are stored numbers and by default do not follow a deviation, see
+//! [`Offsets`]. For machines with hysteresis the same holds along their whole path (`remembering`).
 
 mod along;
 mod cause;
@@ -46,34 +46,36 @@ use equilibrium::{Answer, Equilibrium};
 use memories::{Motions, Remembered};
 use windings::Windings;
 
-/// How pose and tensions follow deviations at one commanded pose.
+/// Derivatives of pose and tensions by all deviations at one commanded pose.
 #[derive(Clone, Debug, PartialEq)]
 pub struct PoseSensitivity {
     /// Outcome without deviations.
     pub outcome: Outcome,
-    /// The derivatives, or why there are none.
+    /// The derivatives, or the reason for which there are none.
     pub derivatives: Result<Derivatives, OperationError>,
 }
 
-/// A control model on a machine whose winches are set, with all that may deviate.
+/// A control model on a machine with set winches, and all numbers that may deviate.
 pub struct Sensitivity<'a> {
     control: Control,
     machine: &'a Model,
-    /// How a machine that remembers comes to the poses, and from where.
+    /// Path of a machine with memory to the poses, and its start.
     history: Option<(History, Pose)>,
     winch_offsets: Vec<f64>,
     operation: Operation,
     command: Command,
     load: Option<Load>,
     causes: Vec<ParameterDeviation>,
-    /// Of the winch offsets per cause (m).
+    /// Changes of the winch offsets per unit of each cause (m).
     offsets: Vec<DVector<f64>>,
 }
 
 impl<'a> Sensitivity<'a> {
-    /// Refuses what [`Operation::new`] does, and maps.
+    /// Sensitivity of a control model on a machine; errors as in [`Operation::new`], and for a control model with a
+    /// map.
     ///
-    /// `offsets` are the winch offsets in use; `setting` tells how they came about, for what may follow from it.
+    /// `offsets` are the winch offsets in use; `setting` describes how they were found, for deviations that they may
+    /// follow.
     pub fn new(
         control: impl Into<Control>,
         machine: &'a Model,
@@ -94,8 +96,8 @@ impl<'a> Sensitivity<'a> {
         Ok(Self { control, machine, history: None, winch_offsets, operation, command, load, causes, offsets })
     }
 
-    /// A machine whose cables remember comes to the poses on this way from a start, as [`Operation::with_history`] says. Without it
-    /// every pose is reached at once by cables that were never loaded.
+    /// A machine with memory comes to the poses on this path from a start, as in [`Operation::with_history`]. Without a
+    /// history every pose is reached at once by cables that were never loaded.
     #[must_use]
     pub fn with_history<'h>(mut self, history: impl Into<Option<&'h History>>, start: &Pose) -> Self {
         self.history = history.into().map(|history| (*history, *start));
@@ -116,7 +118,7 @@ impl<'a> Sensitivity<'a> {
         Ok(Derivatives { pose, tensions, differentiation: Differentiation::Exact })
     }
 
-    /// A command and what came of it, linearized at control model and machine as their cables remember.
+    /// A command and its outcome, linearized at control model and machine with the present memories of their cables.
     fn step<'m>(
         &mut self,
         command: &Pose,
@@ -171,7 +173,7 @@ impl<'a> Sensitivity<'a> {
     }
 }
 
-/// A command and what came of it, linearized.
+/// A command and its outcome, linearized.
 struct Step<'m> {
     commanded: Commanded,
     windings: Windings<'m>,
@@ -179,8 +181,8 @@ struct Step<'m> {
 }
 
 impl Step<'_> {
-    /// Answer to one unit of a cause, to the change of the lengths sent (m), and to that of the machine's own lengths by the memories of its
-    /// cables, at fixed tensions (m).
+    /// Change of pose and tensions by one unit of a cause, by the change of the lengths sent (m), and by that of the
+    /// machine's own lengths with the memories of its cables, at fixed tensions (m).
     fn answer(&self, cause: &ParameterDeviation, sent: &DVector<f64>, remembered: Option<DVector<f64>>) -> Answer {
         let mut paid_out = self.windings.paid_out(sent);
         paid_out[cause.cable] += self.windings.by_cause(cause);

@@ -1,4 +1,4 @@
-//! Which deviations matter: magnitudes over the poses, cause by cause and kind by kind.
+//! Ranking of deviations: magnitudes of their effects over the poses, by cause and by kind.
 
 use serde::Serialize;
 
@@ -11,20 +11,20 @@ pub struct Influence {
     pub cause: ParameterDeviation,
     /// Mean distance that the platform moves (m per unit).
     pub position_mean: f64,
-    /// Largest.
+    /// Largest distance (m per unit).
     pub position_max: f64,
-    /// Mean angle that it turns (rad per unit).
+    /// Mean angle that the platform turns (rad per unit).
     pub rotation_mean: f64,
-    /// Largest.
+    /// Largest angle (rad per unit).
     pub rotation_max: f64,
     /// Mean over the poses of the largest change of a tension (N per unit); `None` for a rigid machine.
     pub tension_mean: Option<f64>,
-    /// Largest.
+    /// Largest over the poses (N per unit); `None` for a rigid machine.
     pub tension_max: Option<f64>,
 }
 
-/// Influence of a kind of deviation over the poses: the root of the sum of squares over its causes, so that independent
-/// deviations of one standard deviation each move the platform by as much.
+/// Influence of a kind of deviation over the poses: the root of the sum of squares over its causes, which is the
+/// displacement by independent deviations of one standard deviation each.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct KindInfluence {
     /// Side of the deviation: control model, machine or winches.
@@ -38,12 +38,12 @@ pub struct KindInfluence {
     /// Root mean square over the poses (m per unit).
     #[serde(rename = "position_rms_m_per_unit")]
     pub position_rms: f64,
-    /// At the worst pose.
+    /// Value at the worst pose (m per unit).
     #[serde(rename = "position_max_m_per_unit")]
     pub position_max: f64,
 }
 
-/// Every cause with what it does, in the order of the causes.
+/// Influence of every cause, in the order of the causes.
 pub fn rank(causes: &[ParameterDeviation], derivatives: &[&Derivatives], translations: usize) -> Vec<Influence> {
     let one = |(column, &cause): (usize, &ParameterDeviation)| {
         let position = Spread::of(derivatives.iter().map(|at| at.position(translations, column)));
@@ -64,7 +64,7 @@ pub fn rank(causes: &[ParameterDeviation], derivatives: &[&Derivatives], transla
     causes.iter().enumerate().map(one).collect()
 }
 
-/// Every kind with what it does.
+/// Influence of every kind.
 pub fn rank_kinds(
     causes: &[ParameterDeviation],
     derivatives: &[&Derivatives],
@@ -92,7 +92,7 @@ pub fn rank_kinds(
     kinds.into_iter().map(one).collect()
 }
 
-/// Mean and largest; NaN without any.
+/// Mean and largest of some numbers; NaN if there are none.
 struct Spread {
     mean: f64,
     max: f64,

@@ -1,9 +1,10 @@
-//! Machines whose cables remember: exact derivatives along the path.
+//! Machines with hysteresis: exact derivatives along the path.
 //!
-//! At every step of the way the implicit function theorem gives the change of pose and tensions, with what the cables of control model
-//! and machine remember as further right side, and their law that of the memories after it. No derivative leads on from a step at which
-//! the law is not smooth (a [`Kink`]), until all of the hysteresis of all cables slides: then nothing is left of what was before. Poses
-//! to which none leads have differences ([`Differences`]).
+//! At every step of the path the implicit function theorem gives the changes of pose and tensions, with the memories of
+//! the cables of control model and machine in the right-hand side, and their law gives the changes of the memories
+//! after it. No derivative continues from a step at which the law is not smooth (a [`Kink`]), until all stops of all
+//! cables slide: then the earlier memories have no effect any more. Poses without an exact derivative have differences
+//! ([`Differences`]).
 
 use super::cause::Side;
 use super::differences::Differences;
@@ -42,10 +43,10 @@ pub(super) fn along(
     Ok(passed.into_iter().enumerate().map(at).collect())
 }
 
-/// Outcome at a pose, with its exact derivatives where they lead there.
+/// Outcome at a pose, with its exact derivatives if there are any.
 type Passed = (Outcome, Result<Derivatives, Kink>);
 
-/// Outcomes at all poses, with exact derivatives where they lead there.
+/// Outcomes at all poses, with exact derivatives if there are any.
 fn passed(sensitivity: &mut Sensitivity<'_>, commands: &[CommandedPose]) -> Result<Vec<Passed>, InputError> {
     let operation = Operation::new(sensitivity.control.clone(), sensitivity.machine, &sensitivity.winch_offsets)?;
     let history = sensitivity.history;
@@ -64,14 +65,14 @@ fn passed(sensitivity: &mut Sensitivity<'_>, commands: &[CommandedPose]) -> Resu
     Ok(commands.iter().map(answer).collect())
 }
 
-/// Goes along with an operation, and knows how what its cables remember follows every cause.
+/// Follows an operation and computes the changes of the memories of its cables by every cause.
 struct Companion<'s, 'a> {
     sensitivity: &'s mut Sensitivity<'a>,
     /// Cables that were never loaded.
     unloaded: Remembered,
-    /// Memories at the start of every way.
+    /// Changes of the memories at the start of every path.
     start: Result<Remembered, Kink>,
-    /// Memories where control model and machine are.
+    /// Changes of the memories at the present state of control model and machine.
     here: Result<Remembered, Kink>,
 }
 
@@ -83,7 +84,7 @@ impl<'s, 'a> Companion<'s, 'a> {
         Self { sensitivity, start: Ok(unloaded.clone()), here: Ok(unloaded.clone()), unloaded }
     }
 
-    /// The derivatives at a place; `None` for a new way.
+    /// The derivatives at a pose; `None` at the start of a new path.
     fn pass(&mut self, point: PathPoint<'_>) -> Option<Result<Derivatives, Kink>> {
         let PathPoint::Arrival(place) = point else {
             self.here.clone_from(&self.start);
@@ -101,7 +102,7 @@ impl<'s, 'a> Companion<'s, 'a> {
         }
     }
 
-    /// The derivatives at a place, and the changes of the memories after it.
+    /// The derivatives at a pose, and the changes of the memories after it.
     fn linearized(&mut self, place: &Arrival<'_>) -> Result<(Derivatives, Remembered), Kink> {
         let (outcome, pose) = (place.outcome, &place.command.pose);
         let Some(tensions) = outcome.tensions.as_ref().filter(|_| outcome.status == Status::Converged) else {
@@ -126,7 +127,7 @@ impl<'s, 'a> Companion<'s, 'a> {
         Ok((Derivatives { pose, tensions: Some(tensions), differentiation }, after))
     }
 
-    /// Refuses cables within rounding of being slack.
+    /// Checks that no cable is within rounding of becoming slack.
     fn check_slack(&self, outcome: &Outcome, control: &Motions, machine: &Motions) -> Result<(), Kink> {
         let model = self.sensitivity.machine;
         let paid_out = self.sensitivity.operation.paid_out(&outcome.sent).map_err(OperationError::from)?;
@@ -144,7 +145,7 @@ impl<'s, 'a> Companion<'s, 'a> {
     }
 }
 
-/// The motions of a model, and the model itself, with no stop in doubt.
+/// The motions of a model, and the model itself, with no cable near the end of a branch.
 fn motions(model: Model, to: &dyn Fn(&Model) -> Result<Motions, Kink>) -> Result<(Model, Motions), Kink> {
     let found = to(&model)?;
     match found.pushed_on(&model) {

@@ -1,4 +1,4 @@
-//! How winch offsets follow what deviates: kept as they were set, or set anew.
+//! Derivatives of the winch offsets by deviations: zero if they are kept, or those of setting the winches again.
 
 use nalgebra::DVector;
 
@@ -17,14 +17,14 @@ use cdpr_model::model::Model;
 use cdpr_model::statics::Load;
 use cdpr_model::tension::Method;
 
-/// How the winches were set.
+/// Description of how the winches were set.
 #[derive(Clone, Copy, Debug)]
 pub struct Setting<'a> {
     /// Table `[initial]` of the study.
     pub initial: &'a Initial,
     /// The initial pose.
     pub pose: Pose,
-    /// The model in use when they were set, where it is not the control model.
+    /// The model in use when they were set; `None` if it was the control model.
     pub former: Option<&'a Model>,
     /// Effect of deviations on the offsets.
     pub offsets: Offsets,
@@ -39,7 +39,7 @@ impl<'a> Setting<'a> {
         self.former.unwrap_or(control)
     }
 
-    /// True where the offsets follow from initial tensions or geometry: neither "none" nor numbers.
+    /// True if the offsets follow from initial tensions or geometry, and are neither "none" nor given numbers.
     pub(crate) fn has_computed_offsets(&self) -> bool {
         self.initial.offset.is_none() && self.initial.offset_m.is_none()
     }
@@ -70,15 +70,16 @@ struct AtInitial<'a> {
     machine: &'a Model,
     set_with: &'a Model,
     tensions: Vec<f64>,
-    /// Side whose model says which tensions are set; `None` if neither has any.
+    /// Side whose model determines the tensions; `None` if neither has any.
     carries: Option<Side>,
     /// Windings between the model in use and the machine.
     windings: Windings<'a>,
-    /// How the tensions follow their reference; `None` for rigid robots, and where the structure matrix has lost rank.
+    /// Derivatives of the tensions by their reference; `None` for rigid robots, and if the structure matrix is
+    /// rank-deficient.
     as_they_are: Option<Choice<'a>>,
-    /// The same by the study's method; `None` if it has no derivative.
+    /// Derivatives of the tensions chosen by the study's method; `None` if it has none.
     chosen: Option<Choice<'a>>,
-    /// Metres per newton of machine and model in use.
+    /// Change of the lengths per tension (m/N) for machine and model in use.
     stretch: [DVector<f64>; 2],
 }
 
@@ -107,8 +108,8 @@ impl<'a> AtInitial<'a> {
         Ok(Self { setting, control, machine, set_with, tensions, carries, windings, as_they_are, chosen, stretch })
     }
 
-    /// Of the tensions of all cables to the offsets: what the machine needs, as the model in use counts it, minus what that
-    /// knows of.
+    /// Change of the offsets (m) with the tensions of all cables: the machine's change of length, in the units of the
+    /// model in use, minus that of the model in use.
     fn by_tension_change(&self, tensions: &DVector<f64>) -> DVector<f64> {
         let [machine, set_with] = self.stretch.each_ref().map(|stretch| stretch.component_mul(tensions));
         self.windings.sent(&machine) - set_with
@@ -143,7 +144,7 @@ impl<'a> AtInitial<'a> {
         Ok(change + self.windings.sent(&machine))
     }
 
-    /// Central differences, for tensions from which no derivative leads away.
+    /// Central differences, for tensions without a derivative.
     fn by_differences(&self, cause: &ParameterDeviation) -> Result<DVector<f64>, InputError> {
         let step = cause.kind.difference_step();
         let offsets = |by: f64| {
@@ -164,7 +165,7 @@ impl<'a> AtInitial<'a> {
     }
 }
 
-/// How the tensions that a study asks for follow the model; `None` if there is no derivative.
+/// Derivatives of the tensions that a study requests, by the model; `None` if there are none.
 fn choice<'a>(
     initial: &Initial,
     model: &'a Model,

@@ -9,11 +9,11 @@ use cdpr_model::control::{Winding, WindingGradient};
 use cdpr_model::model::Model;
 use cdpr_model::robot::ParameterKind;
 
-/// The winches between a control model and a machine, at lengths that are sent.
+/// The winches between a control model and a machine, at the lengths sent.
 pub(super) struct Windings<'a> {
     control: &'a Model,
     machine: &'a Model,
-    /// `None` if lengths are lengths.
+    /// Gradients of the windings; `None` if neither side has drums, so that lengths are sent directly.
     gradients: Option<Vec<WindingGradient>>,
 }
 
@@ -43,7 +43,7 @@ impl<'a> Windings<'a> {
     pub(super) fn by_cause(&self, cause: &ParameterDeviation) -> f64 {
         let Some(gradient) = self.gradients.as_ref().map(|gradients| &gradients[cause.cable]) else { return 0.0 };
         match cause.side {
-            // a larger believed length at the same angle is a smaller angle for the same length
+            // a larger modelled length at the same angle is a smaller angle for the same length
             Side::Control => {
                 let counted = match self.machine.robot().cables[cause.cable].winch.radius {
                     None => by_ideal(&gradient.machine, cause),
@@ -51,7 +51,7 @@ impl<'a> Windings<'a> {
                 };
                 counted - gradient.by_sent * by_drum(&gradient.control, cause, self.control)
             }
-            // a control model whose file has no drum counts turns with the machine's
+            // a control model whose file has no drum uses the machine's
             Side::Machine => {
                 let counted = match self.control.robot().cables[cause.cable].winch.radius {
                     None => by_ideal(&gradient.control, cause),

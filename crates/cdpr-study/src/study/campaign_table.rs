@@ -1,4 +1,4 @@
-//! Rounds of planned measurements, as a study states them.
+//! Rounds of planned measurements in a study file.
 
 use serde::Deserialize;
 

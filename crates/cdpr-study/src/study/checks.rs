@@ -1,13 +1,13 @@
-//! Checks of a study file, with the place of each mistake.
+//! Checks of a study file; each error names its key.
 
 use super::{CampaignTable, PoseGrid, RandomPoses, Study, TensionTests, Tolerances};
 use cdpr_model::model::Composition;
 use cdpr_model::reading::{ReadError, Step, TomlDocument};
 
-/// Most poses a study may ask for.
+/// Most poses of a study.
 const POSE_LIMIT: usize = 1_000_000;
 
-/// Complains at the value that is wrong.
+/// Checks a study; the error is at the wrong value.
 pub(super) fn check(study: &Study, document: &TomlDocument<'_>) -> Result<(), ReadError> {
     let place = Place { document };
     check_models(study, &place)?;
@@ -45,7 +45,7 @@ fn check_campaign(campaign: &CampaignTable, place: &Place<'_>) -> Result<(), Rea
     Ok(())
 }
 
-/// Makes errors at places of the file.
+/// Makes errors at keys of the file.
 struct Place<'a> {
     document: &'a TomlDocument<'a>,
 }

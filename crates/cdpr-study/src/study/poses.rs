@@ -1,4 +1,4 @@
-//! The poses that a study commands.
+//! The commanded poses of a study.
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -14,7 +14,7 @@ use cdpr_model::tension;
 use cdpr_workspace::criterion::{Criterion, WrenchFeasible};
 
 impl Study {
-    /// All poses to command: those of the file (given by the caller), the grid, the random ones, then the tension tests.
+    /// All poses to command: those of the file (read by the caller), the grid, the random ones, then the tension tests.
     pub fn commanded_poses(
         &self,
         robot: &Robot,
@@ -53,7 +53,7 @@ impl Study {
         Ok(all)
     }
 
-    /// Leaves out what `[poses] only` does not want.
+    /// Removes the poses that `[poses] only` excludes.
     pub(crate) fn keep_wanted(&self, machine: &Model, poses: &mut Vec<CommandedPose>) -> Result<(), InputError> {
         let Some(PoseFilter::WrenchFeasible) = self.poses.as_ref().and_then(|poses| poses.only) else { return Ok(()) };
         let limits = tension::Limits::of(machine.robot(), None, None)?;
@@ -69,7 +69,8 @@ impl Study {
 }
 
 impl TensionTests {
-    /// Every cable shortened in turn at the middles of `count` equal parts of the list; at every pose where there are fewer.
+    /// Every cable shortened in turn at the middles of `count` equal parts of the list; at every pose if there are
+    /// fewer poses.
     fn commands(&self, poses: &[CommandedPose], cable_count: usize) -> Vec<CommandedPose> {
         let count = self.count.min(poses.len());
         let chosen = (0..count).map(|part| &poses[(2 * part + 1) * poses.len() / (2 * count)]);
@@ -100,7 +101,7 @@ impl PoseGrid {
 }
 
 impl RandomPoses {
-    /// Lower and upper corner of the box: its own, or those of the grid.
+    /// Lower and upper corner of the box: its own, else those of the grid.
     pub(super) fn corners<'a>(&'a self, grid: Option<&'a PoseGrid>) -> Option<[&'a [f64]; 2]> {
         let of_grid = || grid.map(|grid| [&grid.min[..], &grid.max[..]]);
         let own = self.min.as_deref().zip(self.max.as_deref());

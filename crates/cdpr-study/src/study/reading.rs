@@ -1,4 +1,4 @@
-//! A study from its file.
+//! Reading of a study from its file.
 
 use super::{Study, checks};
 use cdpr_model::reading::{ReadError, Size, TomlDocument, text_from_bytes};

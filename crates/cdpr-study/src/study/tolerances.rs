@@ -1,4 +1,4 @@
-//! How far the numbers of a study may be off: standard deviations by side and kind.
+//! Tolerances of a study's numbers: standard deviations by side and kind.
 
 use serde::Deserialize;
 
@@ -142,13 +142,13 @@ pub struct WinchTolerances {
 }
 
 impl Tolerances {
-    /// Standard deviation of a cause, in its unit.
+    /// Standard deviation of a cause, in its unit; 0 if the study states none.
     pub(crate) fn sigma(&self, cause: &ParameterDeviation) -> f64 {
         let same = |&(side, kind, ..): &(Side, Kind, &str, f64)| (side, kind) == (cause.side, cause.kind);
         self.entries().find(same).map_or(0.0, |(.., sigma)| sigma)
     }
 
-    /// Largest deviation of the worst case, in standard deviations.
+    /// Largest deviation in the worst case, in standard deviations.
     pub(crate) fn reach(&self) -> f64 {
         match self.distribution {
             Distribution::Normal => self.sigmas,

@@ -1,4 +1,4 @@
-//! Calibrations that a sweep compares: sensors, numbers of poses, models, and what they cost.
+//! Calibrations compared by a sweep: sensors, numbers of poses, models, and their prices.
 
 use serde::{Deserialize, Serialize};
 use thiserror::Error;
@@ -67,16 +67,16 @@ pub struct CalibrationOutcome {
     pub parameter_count: usize,
     /// Mean position error on another record by the same sensors (m); `None` if no poses are measured.
     pub validation_position_m: Option<f64>,
-    /// Root mean square length error there (m).
+    /// Root mean square length error on that record (m).
     pub validation_length_m: f64,
-    /// Mean position error with which the calibrated controller drives the machine, without noise (m); in the frame that fits best where poses are not measured, so
-    /// that nobody knows another.
+    /// Mean position error with which the calibrated controller drives the machine, without noise (m); if poses are not
+    /// measured, in the best-fitting frame, since no other is known.
     pub driven_position_m: f64,
-    /// Largest (m).
+    /// Largest position error (m).
     pub driven_position_max_m: f64,
     /// Mean rotation error (rad).
     pub driven_rotation_rad: f64,
-    /// Mean over poses of the 2-norm of the tension errors (N); of control models that command tensions.
+    /// Mean over poses of the 2-norm of the tension errors (N); `None` for control models that command no tensions.
     pub driven_tension_N: Option<f64>,
 }
 
@@ -89,11 +89,11 @@ pub struct CalibrationPoint<'t> {
     pub model: &'t CalibratedModel,
     /// Poses measured.
     pub poses: usize,
-    /// Price of all: sensor, model, and poses.
+    /// Total price of sensor, model and poses.
     pub price: f64,
 }
 
-/// Table that states no calibrations.
+/// Error of a table of calibrations.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub(crate) enum TableError {
     /// A list without entries.
@@ -102,16 +102,16 @@ pub(crate) enum TableError {
         /// Key of the list.
         list: &'static str,
     },
-    /// A number that is none of poses.
+    /// A number of poses that is 0.
     #[error("0 poses calibrate nothing")]
     NoPoses,
     /// A price, accuracy or deviation below zero, or NaN.
     #[error("`{key}` is a number of 0 or more")]
     Number {
-        /// Key.
+        /// Key of the number.
         key: &'static str,
     },
-    /// Words that are no composition.
+    /// Words that name no composition.
     #[error("`{model}` is no composition: write `standard`, or effects joined by `+`")]
     Model {
         /// The words.
@@ -157,7 +157,7 @@ impl CalibrationTable {
         }
     }
 
-    /// Values of parameters with the numbers of sensor, model and poses.
+    /// Points with these values of parameters, followed by the numbers of sensor, model and poses.
     pub(super) fn points(&self, values: &[f64]) -> Vec<Vec<f64>> {
         let mut points = Vec::new();
         for sensor in 1..=self.sensor.len() {
@@ -169,7 +169,7 @@ impl CalibrationTable {
         points
     }
 
-    /// Calibration of a point's values; `None` for values of no point.
+    /// Calibration of a point's values; `None` if they belong to no point.
     pub fn at(&self, values: &[f64]) -> Option<CalibrationPoint<'_>> {
         let [.., sensor, model, poses] = values else { return None };
         let number = |value: &f64| (*value as usize).checked_sub(1);
@@ -180,8 +180,8 @@ impl CalibrationTable {
 }
 
 impl PoseSensor {
-    /// Accuracies of all sensors, those of lengths and tensions as a study has them; `None` if poses are not measured. `lever` is the distance of the
-    /// platform's anchors (m).
+    /// Accuracies of all sensors, with those of lengths and tensions from the study; `None` if poses are not measured.
+    /// `lever` is the distance of the platform's anchors (m).
     pub(crate) fn sigmas(&self, of_study: SensorSigmas, lever: f64) -> Option<SensorSigmas> {
         let position = self.position_m?;
         let rotation = Some(self.rotation_rad.unwrap_or(position / lever));

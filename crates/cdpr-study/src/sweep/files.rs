@@ -1,4 +1,4 @@
-//! The files of a sweep's points: numbers of robots are set in the robots, everything else in the text.
+//! The files of a sweep's points: numbers of robots are set in the robots, all others in the text.
 
 use toml::Table;
 
@@ -10,10 +10,10 @@ use crate::{Robots, Study};
 use cdpr_model::reading::ReadError;
 use cdpr_model::robot::{Parameter, Robot};
 
-/// The files of a sweep as they are without its values.
+/// The files of a sweep without its values.
 pub(super) struct Files {
     keys: Vec<Key>,
-    /// Axis of placed pulleys by parameter of the sweep.
+    /// Axis of placed pulleys, for each parameter of the sweep.
     axes: Vec<Option<Vec<f64>>>,
     study: File<Study>,
     control: File<Robot>,
@@ -21,21 +21,21 @@ pub(super) struct Files {
     offset_robot: Option<String>,
 }
 
-/// A file as text and, where it can be read without the sweep's values, read.
+/// A file as text and, if it can be read without the sweep's values, its content.
 struct File<T> {
     place: KeyTarget,
-    /// Name in errors.
+    /// Name of the file in errors.
     name: &'static str,
     table: Table,
     read: Option<T>,
-    /// Parameters of the robot that each parameter of the sweep sets; `None` where its key is another one.
+    /// Parameters of the robot that each parameter of the sweep sets; `None` if its key is no parameter.
     parameters: Vec<Option<Vec<Parameter>>>,
 }
 
-/// The files with the values of some parameters.
+/// The files with values for some parameters.
 pub(super) struct Changed<'f> {
     files: &'f Files,
-    /// Number of the sweep's parameter, and its value.
+    /// Index of the sweep's parameter, and its value.
     values: &'f [(usize, f64)],
 }
 
@@ -76,7 +76,7 @@ impl Files {
         })
     }
 
-    /// The files with these values; refuses keys that lead nowhere.
+    /// The files with these values; an error for keys that do not exist.
     pub(super) fn with<'f>(&'f self, values: &'f [(usize, f64)]) -> Result<Changed<'f>, PointError> {
         let changed = Changed { files: self, values };
         changed.table(&self.study, None)?;
@@ -90,7 +90,7 @@ impl Files {
 }
 
 impl<'f> Changed<'f> {
-    /// The study and its robots; nobody asks a sweep for predictions.
+    /// The study and its robots; the robot of predictions is left out, since sweeps need none.
     pub(super) fn read(&self) -> Result<(Study, Robots), PointError> {
         let Files { study, control, machine, offset_robot, .. } = self.files;
         let study = match (&study.read, self.of(study.place).next()) {
@@ -106,7 +106,7 @@ impl<'f> Changed<'f> {
         Ok((study, Robots { control: self.robot(control)?, machine, prediction: None, former }))
     }
 
-    /// The values whose keys change a place.
+    /// The values whose keys change the file at a place.
     fn of(&self, place: KeyTarget) -> impl Iterator<Item = (usize, f64)> {
         self.values.iter().copied().filter(move |(index, _)| self.files.keys[*index].place.covers(place))
     }
@@ -122,7 +122,7 @@ impl<'f> Changed<'f> {
         }
     }
 
-    /// Sets the parameters that files have no key for: turns of axes, and the wrench that has two.
+    /// Sets the parameters for which files have no key: turns of axes, and the wrench, which has two.
     fn set_without_key(&self, file: &File<Robot>, robot: &mut Robot) {
         for (index, value) in self.of(file.place) {
             let parameters = file.parameters[index].iter().flatten();
@@ -131,8 +131,8 @@ impl<'f> Changed<'f> {
         }
     }
 
-    /// The robot with its parameters set; `None` where a key is none of a parameter, or where only the reader can tell whether the
-    /// values make a robot.
+    /// The robot with its parameters set; `None` if a key is no parameter, or if the values must be checked by the
+    /// reader.
     fn by_parameters(&self, file: &File<Robot>) -> Option<Robot> {
         let mut robot = file.read.clone()?;
         for (index, value) in self.of(file.place) {
@@ -143,7 +143,7 @@ impl<'f> Changed<'f> {
         Some(robot)
     }
 
-    /// The text with the values at their keys, those of parameters by the robot of a robot's file.
+    /// The text with the values at their keys; the keys of parameters are those of `robot`.
     fn table<T>(&self, file: &File<T>, robot: Option<&Robot>) -> Result<Table, PointError> {
         let mut table = file.table.clone();
         for (index, value) in self.of(file.place) {
@@ -167,7 +167,7 @@ mod tests {
         Sweep::from_toml_bytes(text.as_bytes(), "sweep.toml").unwrap()
     }
 
-    /// Setting a parameter is what editing its key and reading the file again is.
+    /// Setting a parameter gives the same robot as editing its key and reading the file again.
     #[test]
     fn a_robot_with_a_parameter_set_is_the_robot_of_the_edited_file() {
         let mut set = 0;
@@ -175,7 +175,7 @@ mod tests {
             let robot = Robot::builtin(name).unwrap();
             let text = robot.to_toml();
             let subjects = Subjects { study: String::new(), control: text.clone(), machine: text, offset_robot: None };
-            // of the cables the last
+            // for cables, only the last
             for key in robot.parameters().filter_map(|parameter| parameter.key(&robot)) {
                 let last = format!("cable[{}]", robot.cable_count());
                 if key.starts_with("cable") && !key.starts_with(&last) {
@@ -207,14 +207,14 @@ mod tests {
         changed.robot(&files.machine)
     }
 
-    /// A parameter has one name everywhere: in fits, deviations and sweeps; also where the reader has to judge the value.
+    /// A parameter has the same name in fits, deviations and sweeps, also if the reader has to check the value.
     #[test]
     fn a_parameter_is_swept_by_its_name_as_by_its_key() {
         for (name, key, value) in [
             ("frame-anchor[2].x", "cable[2].frame_anchor_m[1]", 7.5),
             ("axial-stiffness", "cable[*].axial_stiffness_EA_N", 3e5),
             ("mass", "platform.mass_kg", 150.0),
-            // least and largest judge each other
+            // least and largest limit each other
             ("tension-max[3]", "cable[3].tension_max_N", 9000.0),
         ] {
             let by_name = machine_of(&format!("machine.{name}"), value).unwrap();

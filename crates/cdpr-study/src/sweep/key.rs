@@ -1,4 +1,4 @@
-//! Number of a robot or of a file that a parameter of a sweep changes.
+//! Key of a number in a robot or another file that a parameter of a sweep changes.
 
 use std::fmt;
 use std::str::FromStr;
@@ -8,10 +8,10 @@ use toml::{Table, Value};
 
 use cdpr_model::robot::{Parameter, Robot};
 
-/// The place of a number in robot or study files.
+/// Key of a number in robot or study files.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Key {
-    /// Files that hold it.
+    /// Files that have the number.
     pub place: KeyTarget,
     steps: Vec<Word>,
 }
@@ -32,7 +32,7 @@ pub(crate) enum KeyTarget {
 }
 
 impl KeyTarget {
-    /// True where a key of this place changes what another place names: `both` changes control model and machine.
+    /// True if a key of this place changes the other place: `both` changes control model and machine.
     pub(super) fn covers(self, other: Self) -> bool {
         self == other || (self == Self::Both && matches!(other, Self::Control | Self::Machine))
     }
@@ -42,14 +42,14 @@ impl KeyTarget {
 #[derive(Clone, Debug, PartialEq, Eq)]
 enum Word {
     Name(String),
-    /// An entry of a list, from 0; all of them.
+    /// An entry of a list, from 0; `None` stands for all entries.
     Entry(Option<usize>),
 }
 
-/// A key that leads nowhere.
+/// A key that does not exist.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum KeyError {
-    /// No such file.
+    /// The key names no file.
     #[error(
         "`{key}` names no file: begin with `control.`, `machine.`, `both.` or `study.`, or write `placed_pulley_radius_m`"
     )]
@@ -63,46 +63,46 @@ pub enum KeyError {
         /// The key.
         key: String,
     },
-    /// Brackets without a number.
+    /// Brackets without a valid number.
     #[error("`{key}`: entries are [1], [2], … or [*] for all of them")]
     Entry {
         /// The key.
         key: String,
     },
-    /// The file has nothing there.
+    /// The file has no such key.
     #[error("`{key}`: {reason}")]
     Nowhere {
         /// The key.
         key: String,
-        /// Fault of its way.
+        /// Reason for which the path does not exist.
         reason: KeyReason,
     },
 }
 
-/// Fault of a key's way through a file.
+/// Reason for which the path of a key does not exist.
 #[derive(Clone, Debug, PartialEq, Eq, Error)]
 pub enum KeyReason {
-    /// A table or list that is missing on the way.
+    /// A table or list on the path is missing.
     #[error("there is no `{name}`")]
     NoTable {
-        /// Its name.
+        /// Name of the table or list.
         name: String,
     },
-    /// A list that is shorter.
+    /// A list with fewer entries.
     #[error("there are {count} entries, not {entry}")]
     NoEntry {
-        /// Entry asked for, from 1.
+        /// Requested entry, from 1.
         entry: usize,
-        /// Entries of the list.
+        /// Number of entries of the list.
         count: usize,
     },
-    /// A name behind what is not a table.
+    /// A name after a value that is not a table.
     #[error("`{name}` stands in no table")]
     InNoTable {
         /// The name.
         name: String,
     },
-    /// Brackets behind what is not a list.
+    /// Brackets after a value that is not a list.
     #[error("brackets stand behind lists only")]
     InNoList,
 }
@@ -163,7 +163,7 @@ impl fmt::Display for Key {
 }
 
 impl Key {
-    /// The name or the key inside its file, as `frame-anchor[1].x` or `cable[*].pulley_radius_m`.
+    /// The name or the key inside its file, e.g. `frame-anchor[1].x` or `cable[*].pulley_radius_m`.
     pub(super) fn inside(&self) -> String {
         let mut text = String::new();
         for step in &self.steps {
@@ -177,9 +177,9 @@ impl Key {
         text
     }
 
-    /// Parameters of a robot that it spells, by name or by key of files; `None` of a key that is no parameter's.
+    /// Parameters of a robot that the key names, by name or by key of files; `None` for a key that is no parameter.
     pub(super) fn parameters(&self, robot: &Robot) -> Result<Option<Vec<Parameter>>, KeyError> {
-        // a turn of an axis that the robot does not state turns nothing
+        // turning an axis that the robot does not state has no effect
         let is_there = |parameter: &Parameter| parameter.key(robot).is_some() || parameter.get(robot).is_some();
         match Parameter::named(&self.inside(), robot) {
             Some(found) if found.iter().all(is_there) => Ok(Some(found)),
@@ -188,14 +188,15 @@ impl Key {
         }
     }
 
-    /// True of names of parameters, as `frame-anchor[1].x` or `axial-stiffness` of all cables; false of keys of files.
+    /// True for names of parameters, e.g. `frame-anchor[1].x` or `axial-stiffness` of all cables; false for keys of
+    /// files.
     fn is_name(&self, robot: &Robot) -> bool {
         let is_of = |name: &str| robot.parameters().any(|parameter| parameter.kind.name() == name);
         matches!(self.steps.first(), Some(Word::Name(name)) if is_of(name))
     }
 
-    /// Writes a number at the key's place of a file; a key that the last table lacks is added. Names of parameters of the file's robot are
-    /// written at their keys; those without one are left.
+    /// Writes a number at the key's place in a file; a key that the last table lacks is added. Names of parameters of
+    /// the file's robot are written at their keys; those without a key are skipped.
     pub(crate) fn set(&self, file: &mut Table, value: f64, robot: Option<&Robot>) -> Result<(), KeyError> {
         let nowhere = |reason| KeyError::Nowhere { key: self.to_string(), reason };
         let places = match robot.filter(|robot| self.is_name(robot)) {

@@ -8,30 +8,31 @@ use super::set_up::{PreparedSweep, SetUp, whatever_the_error};
 use crate::reachable::Census;
 use cdpr_workspace::grid;
 
-/// Answer of one point of a sweep; sizes in m² or m³, the thresholds in the order of the sweep.
+/// Answer of one point of a sweep; sizes in m² or m³, thresholds in the order of the sweep.
 #[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct Row {
-    /// Number of the point, from 0.
+    /// Index of the point, from 0.
     pub point: usize,
     /// Value of each parameter.
     pub values: Vec<f64>,
-    /// Size in which the machine is wrench-feasible; `None` without tension limits.
+    /// Size of the workspace in which the machine is wrench-feasible; `None` without tension limits.
     pub physical: Option<f64>,
-    /// Size reached with tensions within their limits, whatever the error.
+    /// Size of the workspace reached with tensions within their limits, at any error.
     pub reachable: Option<f64>,
-    /// Sizes reached with each largest position error.
+    /// Sizes of the workspaces reached within each largest position error.
     pub by_accuracy: Vec<f64>,
     /// Cells of the grid.
     pub cells: u64,
-    /// Outcome of a calibration, where the sweep compares them.
+    /// Outcome of a calibration; `None` if the sweep compares none.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub calibration: Option<CalibrationOutcome>,
-    /// Why there is nothing to reach, in words: the machine cannot be set up so, or the box lies outside its reach.
+    /// Reason in words for which there is no reachable workspace: the machine cannot be set up, or the box lies outside
+    /// its reach.
     pub reason: Option<String>,
 }
 
 impl Row {
-    /// Row of a point without an answer.
+    /// Row of a point without an answer, with its reason.
     pub(crate) fn without_answer(point: usize, values: &[f64], reason: String) -> Self {
         Self {
             point,
@@ -47,7 +48,7 @@ impl Row {
 }
 
 impl PreparedSweep {
-    /// Answers one point; what cannot be built has a reason instead of sizes.
+    /// Answers one point; a point that cannot be set up has a reason instead of sizes.
     pub fn row(&self, point: usize, values: &[f64]) -> Row {
         self.measured(point, values).unwrap_or_else(|error| Row::without_answer(point, values, error.to_string()))
     }

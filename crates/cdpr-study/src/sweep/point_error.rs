@@ -1,4 +1,4 @@
-//! Why a point of a sweep cannot be set up.
+//! Errors of points of a sweep that cannot be set up.
 
 use thiserror::Error;
 
@@ -9,31 +9,31 @@ use cdpr_model::model::PlacePulleysError;
 use cdpr_model::reading::ReadError;
 use cdpr_workspace::WorkspaceError;
 
-/// Why a point of a sweep cannot be set up.
+/// Reason for which a point of a sweep cannot be set up.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum PointError {
-    /// A key that leads nowhere.
+    /// A key that does not exist.
     #[error(transparent)]
     Key(#[from] KeyError),
-    /// A value that study or robot files cannot have, or a key that they do not know.
+    /// A value that study or robot files cannot have, or an unknown key.
     #[error(transparent)]
     Read(#[from] Box<ReadError>),
-    /// Models that make no experiment.
+    /// Models from which no experiment can be made.
     #[error(transparent)]
     Input(#[from] InputError),
-    /// A box, or cells, that are none.
+    /// An invalid box, or invalid cells.
     #[error(transparent)]
     Workspace(#[from] WorkspaceError),
-    /// Pulleys that have no place.
+    /// Pulleys that cannot be placed.
     #[error(transparent)]
     Pulleys(#[from] PlacePulleysError),
-    /// Neither two nor three components.
+    /// A swivel axis with neither two nor three components.
     #[error("a swivel_axis is three numbers, as [0, 0, 1], or two in the plane of a planar robot")]
     SwivelAxis,
-    /// An axis of length 0.
+    /// A swivel axis of length 0.
     #[error("a swivel_axis of length 0 has no direction")]
     NoDirection,
-    /// Nobody says how a pulley is to swivel.
+    /// Neither the sweep nor the file states the swivel axis of a pulley.
     #[error(
         "placed_pulley_radius_m needs swivel_axis, as [0, 0, 1], or pulley_swivel_axis of every cable, which \"{cable}\" lacks"
     )]

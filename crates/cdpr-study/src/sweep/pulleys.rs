@@ -1,4 +1,4 @@
-//! Pulleys of a swept machine.
+//! Placed pulleys of a swept machine.
 
 use nalgebra::Vector3;
 
@@ -8,9 +8,9 @@ use cdpr_model::control::InputError;
 use cdpr_model::model::place_pulleys;
 use cdpr_model::robot::{Cable, Robot};
 
-/// The machine with a pulley of this radius at every cable that touches at the anchor at the initial pose.
+/// The machine with a pulley of this radius at every cable, placed so that it touches the anchor at the initial pose.
 ///
-/// The axis is one for all cables, or that of each cable's file.
+/// The swivel axis is `axis` for all cables, or that of each cable in the file.
 pub(super) fn with_pulleys(
     machine: &Robot,
     study: &Study,

@@ -1,4 +1,4 @@
-//! The experiment of one point of a sweep, and whether there is one at all.
+//! The experiment of one point of a sweep, and the check that there is one.
 
 use super::files::Files;
 use super::point_error::PointError;
@@ -9,17 +9,17 @@ use cdpr_model::control::InputError;
 use cdpr_workspace::Bounds;
 use cdpr_workspace::grid::Grid;
 
-/// Points that are tried before a sweep counts as one that can be set up nowhere.
+/// Most points tried before a sweep counts as impossible to set up.
 const TRIED: usize = 1000;
 
-/// Refuses a sweep before anything is computed: keys that lead nowhere or that files do not know, and what can be set up at none of
-/// the points.
+/// Checks a sweep before anything is computed: an error for keys that do not exist or that files do not know, and for a
+/// sweep of which no point can be set up.
 pub fn check(sweep: &Sweep, subjects: &Subjects) -> Result<(), PointError> {
     let prepared = PreparedSweep::new(sweep, subjects)?;
     for (index, parameter) in sweep.parameter.iter().enumerate() {
         let first = parameter.all_values().unwrap_or_default().first().copied().unwrap_or(0.0);
         match prepared.files.with(&[(index, first)])?.read() {
-            // other mistakes may be those of this value
+            // other errors may be due to this value
             Err(PointError::Read(error)) if error.code == "toml::unknown-key" => return Err(PointError::Read(error)),
             _ => {}
         }
@@ -41,7 +41,7 @@ pub fn check(sweep: &Sweep, subjects: &Subjects) -> Result<(), PointError> {
     refused.map_or(Ok(()), Err)
 }
 
-/// A sweep whose files are read, so that its points can be set up.
+/// A sweep whose files are read, ready to set up its points.
 pub struct PreparedSweep {
     pub(crate) sweep: Sweep,
     files: Files,
@@ -83,7 +83,8 @@ impl SetUp {
     }
 }
 
-/// Requirements of a point on a pose: none on its error, which the thresholds judge in the census, unless that alone can be asked.
+/// Requirements of a point on a pose: no limit of the position error, which the census compares with the thresholds,
+/// unless there is no other requirement.
 pub(super) fn whatever_the_error(experiment: &Experiment) -> Requirements {
     let asked = experiment.requirements();
     Requirements { position_error_max: asked.tensions.is_none().then_some(f64::MAX), ..asked }

@@ -1,8 +1,8 @@
-//! The files that a sweep varies.
+//! The files varied by a sweep.
 
 use serde::{Deserialize, Serialize};
 
-/// The files that a sweep varies, as TOML text.
+/// The files varied by a sweep, as TOML text.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize)]
 pub struct Subjects {
     /// The study.
@@ -11,6 +11,6 @@ pub struct Subjects {
     pub control: String,
     /// The robot of the machine.
     pub machine: String,
-    /// The robot with which the winches were set, where the study names one.
+    /// The robot with which the winches were set; `None` if the study names none.
     pub offset_robot: Option<String>,
 }

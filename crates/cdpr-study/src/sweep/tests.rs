@@ -35,8 +35,8 @@ fn fractions(sweep: &Sweep) -> Vec<f64> {
     rows.map(|row| row.reachable.unwrap_or_else(|| panic!("{:?}", row.reason)) / row.physical.unwrap()).collect()
 }
 
-/// Fig. 3.17 to 3.19: from 200 kN on stiffness hardly changes what is reached, 70.5 to 72.8 %; cells of 10 cm
-/// count to about half a per cent.
+/// Fig. 3.17 to 3.19: above 200 kN stiffness hardly changes the reachable workspace, 70.5 to 72.8 %; cells of 10 cm are
+/// accurate to about half a percent.
 #[test]
 fn stiffer_cables_reach_hardly_more() {
     let sweep = sweep(
@@ -47,7 +47,7 @@ fn stiffer_cables_reach_hardly_more() {
     }
 }
 
-/// Fig. 3.20: of the levels that eq. 3.41 aims at, f_max = 6000 N reaches most.
+/// Fig. 3.20: of the tension levels in eq. 3.41, f_max = 6000 N reaches most.
 #[test]
 fn the_best_initial_tensions_aim_at_6000_newtons() {
     let values = [4000.0, 5000.0, 6000.0, 7000.0, 8000.0];

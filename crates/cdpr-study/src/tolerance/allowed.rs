@@ -7,11 +7,12 @@ use crate::sensitivity::{Kind, ParameterDeviation, PoseSensitivity, Side};
 /// Tolerances that a required accuracy allows.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Allowed {
-    /// Accuracy left for deviations at the pose with the largest error without them (m); not positive where no tolerance helps.
+    /// Accuracy left for deviations at the pose with the largest error without them (m); not positive if no tolerance
+    /// helps.
     pub budget: f64,
     /// Index of that pose, from 0.
     pub worst_pose: usize,
-    /// Kind by kind; empty where no tolerance helps.
+    /// Tolerances by kind; empty if no tolerance helps.
     pub kinds: Vec<Allowance>,
 }
 
@@ -24,25 +25,26 @@ pub struct Allowance {
     pub kind: Kind,
     /// Unit of the kind.
     pub unit: &'static str,
-    /// Standard deviation of each, all else being exact; infinite for what moves nothing.
+    /// Standard deviation of each number if all others are exact; infinite for numbers without effect.
     #[serde(rename = "sigma_alone")]
     pub alone: f64,
-    /// Largest deviation of each in the worst case, all else being exact.
+    /// Largest deviation of each number in the worst case if all others are exact.
     #[serde(rename = "worst_case_alone")]
     pub alone_worst_case: f64,
-    /// Standard deviation of each when all kinds named deviate, each for the same share; `None` for kinds that are not named.
+    /// Standard deviation of each number if all named kinds deviate, each by the same fraction of its own allowance;
+    /// `None` for other kinds.
     #[serde(rename = "sigma_joint")]
     pub joint: Option<f64>,
-    /// Largest deviation of each in the worst case, likewise.
+    /// Largest deviation of each number in the worst case, if all named kinds deviate; `None` for other kinds.
     #[serde(rename = "worst_case_joint")]
     pub joint_worst_case: Option<f64>,
 }
 
-/// Tolerances that an accuracy (m) allows at all poses: `coverage` times the root mean square of the deviation, or in the
-/// worst case the deviation itself, must fit into the rest that the errors (m) leave of it.
+/// Tolerances that an accuracy (m) allows at all poses: `coverage` times the root mean square of the deviation, or in
+/// the worst case the deviation itself, must not exceed the accuracy minus the errors (m).
 ///
-/// `errors` are those of the robot without deviations, or zeros where deviations alone are asked for. Jointly allowed tolerances
-/// are those allowed alone, all made smaller by the same factor; they are told for the kinds that `is_named` names.
+/// `errors` are those of the robot without deviations, or zeros if only deviations count. Jointly allowed tolerances
+/// are those allowed alone, all reduced by the same factor; they are given for the kinds that `is_named` names.
 pub fn allowed(
     causes: &[ParameterDeviation],
     poses: &[PoseSensitivity],
@@ -103,7 +105,7 @@ fn least(values: &[f64]) -> (usize, f64) {
     values.iter().copied().enumerate().fold(first, |least, next| if next.1 < least.1 { next } else { least })
 }
 
-/// How far one unit of a kind moves the position, pose by pose.
+/// Displacement of the position by one unit of a kind, pose by pose.
 struct Reached {
     /// Root of the sum of squares over the causes of the kind (m per unit).
     spread: Vec<f64>,

@@ -1,4 +1,4 @@
-//! Many poses of one robot at once, where control model and machine allow it.
+//! Many poses of one robot at once, if control model and machine allow it.
 
 use super::robots::Made;
 use crate::sensitivity::PoseSensitivity;
@@ -11,15 +11,15 @@ use cdpr_model::geometry::{Pose, PoseBatch};
 use cdpr_model::model::Model;
 use cdpr_model::scalar::{LANES, LaneTable};
 
-/// Inputs that all robots share: poses, guesses, and the lengths that the control model without deviations sends.
+/// Inputs shared by all robots: poses, guesses, and the lengths that the control model without deviations sends.
 pub(super) struct Batch {
     commanded: PoseBatch,
     guesses: PoseBatch,
-    /// In the units of the control model's encoders, without winch offsets (m).
+    /// Lengths sent, in the units of the control model's encoders, without winch offsets (m).
     sent: LaneTable,
 }
 
-/// Memory of one thread.
+/// Work memory of one thread.
 #[derive(Default)]
 pub(super) struct Room {
     geometric: LaneTable,
@@ -28,8 +28,9 @@ pub(super) struct Room {
 }
 
 impl Batch {
-    /// `None` where the lengths of a deviating control model depend on tensions, for drums and shortened cables, for machines whose
-    /// cables are not straight and linear, and where a pose is not answered without deviations: these are asked pose by pose.
+    /// `None` if the lengths of a deviating control model depend on tensions, for drums and shortened cables, for
+    /// machines whose cables are not straight and linear, and if a pose has no answer without deviations: these are
+    /// solved pose by pose.
     pub(super) fn new(
         control: &Model,
         machine: &Model,
@@ -57,7 +58,7 @@ impl Batch {
         Some(Self { commanded, guesses: nominal.iter().map(|at| &at.outcome.pose).collect(), sent })
     }
 
-    /// The emerging poses, `None` where there is no answer; `None` if the batch cannot be asked.
+    /// The emerging poses, each `None` without an answer; `None` in all if the batch does not apply.
     pub(super) fn answers(
         &self,
         machine: &Model,
@@ -85,7 +86,7 @@ impl Batch {
         let settings = ForwardSettings::default();
         let problems = ForwardBatch { lengths: controlled, guesses: &self.guesses, load: None, only_taut: false };
         match machine.forward_batch(&settings, &problems, &mut State::at_home(machine), solutions) {
-            // lengths that are none
+            // lengths that are not finite or not positive
             Err(ForwardError::Input(elastostatics::InputError::Kinematic(_))) => return Ok(None),
             other => other?,
         }

@@ -1,4 +1,4 @@
-//! Deviations of an experiment: derivatives, spread, robots drawn, and tolerances that an accuracy allows.
+//! Deviations of an experiment: derivatives, spread, drawn robots, and the tolerances that an accuracy allows.
 
 use super::{Allowed, Engine, MonteCarlo, Settings, Spread, allowed, monte_carlo, sigmas};
 use crate::experiment::Experiment;
@@ -8,16 +8,16 @@ use cdpr_model::control::CommandedPose;
 use cdpr_model::control::InputError;
 use cdpr_model::control::Status;
 
-/// Questions about deviations, beside the tolerances of the study.
+/// Settings of a study of deviations, in addition to the tolerances of the study.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct DeviationSettings {
     /// Treatment of the winch offsets under deviations.
     pub offsets: Offsets,
-    /// How drawn robots answer.
+    /// Method by which drawn robots answer.
     pub engine: Engine,
-    /// Robots drawn; 0 draws none.
+    /// Number of robots to draw; 0 draws none.
     pub robots: usize,
-    /// Required accuracy (m), where tolerances are wanted that it allows.
+    /// Required accuracy (m) for which allowed tolerances are computed; `None` if they are not needed.
     pub accuracy: Option<f64>,
     /// Seed of the robots drawn.
     pub seed: u64,
@@ -34,17 +34,17 @@ pub struct Deviations {
     pub poses: Vec<PoseSensitivity>,
     /// Distance from the commanded position without deviations, pose by pose (m); NaN without an answer.
     pub errors: Vec<f64>,
-    /// Spread to first order, where tolerances are given.
+    /// Spread to first order; `None` without tolerances.
     pub spread: Option<Spread>,
-    /// Robots drawn, where tolerances are given.
+    /// Results of drawn robots; `None` without tolerances.
     pub drawn: Option<MonteCarlo>,
-    /// Tolerances that the required accuracy allows.
+    /// Tolerances that the required accuracy allows; `None` without one.
     pub allowed: Option<Allowed>,
 }
 
 impl Experiment {
-    /// Effect of deviations at commanded poses, one at least. Without any standard deviation above 0 nothing spreads, and
-    /// what an accuracy allows is told of every kind.
+    /// Effect of deviations at commanded poses, at least one. If no standard deviation is above 0, nothing is spread,
+    /// and the allowed tolerances are given for every kind.
     pub fn deviations(
         &self,
         commanded: Vec<CommandedPose>,
@@ -115,8 +115,8 @@ fn position_error(at: &PoseSensitivity, command: &CommandedPose) -> f64 {
 }
 
 impl Deviations {
-    /// Largest estimated error of derivatives by differences, as a share of the largest derivative by a number of the same
-    /// unit at the same pose; `None` for analytic ones.
+    /// Largest estimated error of derivatives by differences, as a fraction of the largest derivative by a number of
+    /// the same unit at the same pose; `None` for analytic ones.
     pub fn difference_error(&self) -> Option<f64> {
         let mut worst = None;
         for derivatives in self.poses.iter().filter_map(|at| at.derivatives.as_ref().ok()) {
@@ -131,7 +131,7 @@ impl Deviations {
         worst
     }
 
-    /// Poses (0-based) with derivatives by differences, and why no exact ones lead there.
+    /// Poses (0-based) with derivatives by differences, and the reasons for which they have no exact ones.
     pub fn by_differences(&self) -> impl Iterator<Item = (usize, &Kink)> {
         self.poses.iter().enumerate().filter_map(|(place, at)| match &at.derivatives.as_ref().ok()?.differentiation {
             Differentiation::Differences { kink, .. } => Some((place, kink)),
@@ -139,7 +139,7 @@ impl Deviations {
         })
     }
 
-    /// Remarks on standard deviations of what neither side has.
+    /// Remarks on standard deviations of numbers that the side does not have.
     pub fn without_effect(&self, tolerances: &Tolerances) -> Vec<String> {
         let has = |side, kind| self.causes.iter().any(|cause| (cause.side, cause.kind) == (side, kind));
         let idle = tolerances.entries().filter(|&(side, kind, _, sigma)| sigma > 0.0 && !has(side, kind));

@@ -1,8 +1,8 @@
-//! How far numbers may be off: what deviations do to the accuracy, and which deviations an accuracy allows.
+//! Tolerances of numbers: the effect of deviations on the accuracy, and the deviations that an accuracy allows.
 //!
 //! [`Spread`] is linear: independent deviations with standard deviations σ_p move the position by the root mean square
 //! s(x) = √(Σ σ_p² ‖∂r/∂p‖²), and by Σ τ_p ‖∂r/∂p‖ at most. [`monte_carlo`] draws robots, exactly or linearly.
-//! [`allowed`] turns the question round.
+//! [`allowed`] solves the inverse question.
 
 mod allowed;
 mod batch;
@@ -19,17 +19,18 @@ use super::sensitivity::{ParameterDeviation, PoseSensitivity};
 /// Spread of the position by deviations, to first order.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Spread {
-    /// Root mean square over robots of the distance from where the robot without deviations goes (m), pose by pose; NaN where
-    /// there are no derivatives.
+    /// Root mean square over robots of the distance from the position of the robot without deviations (m), pose by
+    /// pose; NaN without derivatives.
     pub deviation: Vec<f64>,
-    /// The same of the distance from the commanded position (m).
+    /// Root mean square of the distance from the commanded position (m), pose by pose.
     pub error: Vec<f64>,
-    /// Bound of the distance from where the robot without deviations goes, all deviations at their worst (m).
+    /// Bound of the distance from the position of the robot without deviations, with all deviations at their worst (m).
     pub worst_case: Vec<f64>,
 }
 
 impl Spread {
-    /// Of deviations with these standard deviations (a number per cause, in its unit), and of such with `reach` times these.
+    /// Spread for these standard deviations (one per cause, in its unit); in the worst case each deviates by `reach`
+    /// times its own.
     pub fn of(poses: &[PoseSensitivity], errors: &[f64], sigmas: &[f64], reach: f64, translations: usize) -> Self {
         let mut spread = Self { deviation: Vec::new(), error: Vec::new(), worst_case: Vec::new() };
         for (at, error) in poses.iter().zip(errors) {
@@ -50,7 +51,7 @@ impl Spread {
     }
 }
 
-/// Standard deviation of every cause, as a study's tolerances say.
+/// Standard deviation of every cause, from a study's tolerances.
 pub fn sigmas(causes: &[ParameterDeviation], tolerances: &super::study::Tolerances) -> Vec<f64> {
     causes.iter().map(|cause| tolerances.sigma(cause)).collect()
 }

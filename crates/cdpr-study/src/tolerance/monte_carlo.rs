@@ -1,4 +1,4 @@
-//! Robots drawn at random: how accurate they are.
+//! Accuracy of robots drawn at random.
 
 use serde::Serialize;
 
@@ -17,10 +17,10 @@ use cdpr_model::model::Model;
 use cdpr_model::reading::keywords;
 use cdpr_model::tension::Method;
 
-/// Most answers kept at a time.
+/// Most answers kept in memory.
 const ANSWER_LIMIT: usize = 50_000_000;
 
-/// How the drawn robots answer.
+/// Method by which the drawn robots answer.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
 #[serde(rename_all = "kebab-case")]
 pub enum Engine {
@@ -40,30 +40,30 @@ pub struct Settings<'a> {
     pub causes: &'a [ParameterDeviation],
     /// Standard deviation of every cause, in its unit.
     pub sigmas: &'a [f64],
-    /// How deviations are spread.
+    /// Distribution of the deviations.
     pub distribution: Distribution,
-    /// How many robots.
+    /// Number of robots to draw.
     pub robots: usize,
     /// The same seed draws the same robots on any number of threads.
     pub seed: u64,
-    /// How they answer.
+    /// Method by which they answer.
     pub engine: Engine,
-    /// A machine that remembers comes to the poses so.
+    /// Path of a machine with memory to the poses.
     pub history: Option<History>,
 }
 
-/// Mean and quantiles of many numbers; NaN without any.
+/// Mean and quantiles of a set of numbers; NaN if it is empty.
 #[derive(Clone, Copy, Debug, PartialEq, Serialize)]
 pub struct Quantiles {
     /// Mean.
     pub mean: f64,
     /// Root mean square.
     pub rms: f64,
-    /// Half of them are smaller.
+    /// Median: half of the numbers are smaller.
     pub median: f64,
-    /// 95 % are smaller.
+    /// 95th percentile.
     pub p95: f64,
-    /// 99 % are smaller.
+    /// 99th percentile.
     pub p99: f64,
     /// Largest.
     pub max: f64,
@@ -72,13 +72,13 @@ pub struct Quantiles {
 /// Statistics of the drawn robots.
 #[derive(Clone, Debug, PartialEq, Serialize)]
 pub struct MonteCarlo {
-    /// How they answer.
+    /// Method by which they answered.
     pub engine: Engine,
     /// Robots drawn.
     pub robots: usize,
-    /// Robots and poses without an answer, which do not count.
+    /// Pairs of robot and pose without an answer, which do not count.
     pub unanswered: usize,
-    /// Why the first of them has none.
+    /// Reason for which the first of them has no answer.
     pub reason: Option<String>,
     /// Distance from the commanded position over all robots and poses (m).
     #[serde(rename = "position_error_m")]
@@ -86,19 +86,19 @@ pub struct MonteCarlo {
     /// Angle from the commanded orientation (rad).
     #[serde(rename = "rotation_error_rad")]
     pub rotation_error: Quantiles,
-    /// Distance from where the robot without deviations goes (m).
+    /// Distance from the position of the robot without deviations (m).
     #[serde(rename = "deviation_m")]
     pub deviation: Quantiles,
-    /// The mean error of a robot over the poses, over the robots (m).
+    /// Mean error of each robot over the poses; quantiles over the robots (m).
     #[serde(rename = "mean_of_robot_m")]
     pub mean_of_robot: Quantiles,
-    /// The largest error of a robot (m).
+    /// Largest error of each robot; quantiles over the robots (m).
     #[serde(rename = "max_of_robot_m")]
     pub max_of_robot: Quantiles,
-    /// Error pose by pose, over the robots (m).
+    /// Error, pose by pose; quantiles over the robots (m).
     #[serde(skip)]
     pub errors: Vec<Quantiles>,
-    /// Deviation pose by pose (m).
+    /// Deviation, pose by pose; quantiles over the robots (m).
     #[serde(skip)]
     pub deviations: Vec<Quantiles>,
 }
@@ -106,10 +106,10 @@ pub struct MonteCarlo {
 /// Error, rotation error and deviation at one pose; NaN without an answer.
 type Answer = [f64; 3];
 
-/// Draws robots with deviations and lets each drive through the poses.
+/// Draws robots with deviations and drives each through the poses.
 ///
-/// `nominal` has the outcomes and derivatives of the robot without deviations, pose by pose. Parameters
-/// stay within what they may be: radii not below 0, stiffness above 0.
+/// `nominal` has the outcomes and derivatives of the robot without deviations, pose by pose. Parameters are clamped to
+/// their bounds: radii not below 0, stiffness above 0.
 pub fn monte_carlo(
     control: impl Into<Control>,
     machine: &Model,
@@ -143,7 +143,7 @@ pub fn monte_carlo(
     Ok(summarize(&run.all(), poses.len(), settings.engine))
 }
 
-/// Everything that the robots share.
+/// Data shared by all robots.
 struct Run<'a> {
     models: (&'a Model, &'a Model),
     tension_method: Method,
@@ -156,7 +156,7 @@ struct Run<'a> {
     settings: &'a Settings<'a>,
 }
 
-/// The answers of one robot, and why the first missing one is missing.
+/// The answers of one robot, and the reason for which the first missing one is missing.
 type Row = (Vec<Answer>, Option<String>);
 
 impl Run<'_> {
@@ -279,7 +279,7 @@ fn summarize(rows: &[Row], poses: usize, engine: Engine) -> MonteCarlo {
 }
 
 impl Quantiles {
-    /// Of all that are finite.
+    /// Statistics of all finite values.
     fn of(values: impl Iterator<Item = f64>) -> Self {
         let mut sorted: Vec<f64> = values.filter(|value| value.is_finite()).collect();
         sorted.sort_unstable_by(f64::total_cmp);

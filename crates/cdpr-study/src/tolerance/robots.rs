@@ -1,4 +1,4 @@
-//! Robots that deviate: their numbers, models and winch offsets.
+//! Robots with deviations: their numbers, models and winch offsets.
 
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
@@ -11,10 +11,11 @@ use cdpr_model::control::InputError;
 use cdpr_model::control::{tensions_set, winch_offsets};
 use cdpr_model::model::Model;
 
-/// Streams of random numbers below this one are those of poses and sensors.
+/// Index of the first stream of random numbers for robots; streams below are those of poses and sensors.
 const FIRST_STREAM: u64 = 1 << 32;
 
-/// Deviations of one robot (from 0), in the units of their causes: its own stream of random numbers, whatever was drawn before.
+/// Draws the deviations of one robot (from 0), in the units of their causes, from its own stream of random numbers, so
+/// that they do not depend on earlier draws.
 pub(super) fn draw(seed: u64, robot: usize, sigmas: &[f64], distribution: Distribution, deviations: &mut Vec<f64>) {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     rng.set_stream(FIRST_STREAM + robot as u64);
@@ -28,20 +29,20 @@ pub(super) fn draw(seed: u64, robot: usize, sigmas: &[f64], distribution: Distri
     }));
 }
 
-/// A control model on a machine, and who of the two deviates.
+/// A control model on a machine, with the deviations that apply to each.
 pub(super) struct Makers<'a> {
     pub(super) control: &'a Model,
     pub(super) machine: &'a Model,
     pub(super) setting: &'a Setting<'a>,
     /// The offsets in use (m).
     pub(super) offsets: &'a [f64],
-    /// Deviations in play.
+    /// The numbers that deviate.
     pub(super) causes: &'a [ParameterDeviation],
-    /// Initial tensions (N); empty where they do not matter.
+    /// Initial tensions (N); empty if they are not needed.
     tensions: Vec<f64>,
 }
 
-/// A robot with deviations; what does not deviate is `None`.
+/// A robot with deviations; models that do not deviate are `None`.
 pub(super) struct Made {
     pub(super) control: Option<Model>,
     pub(super) machine: Option<Model>,
@@ -65,7 +66,7 @@ impl<'a> Makers<'a> {
         Ok(makers)
     }
 
-    /// The robot with these deviations, or why there is none.
+    /// The robot with these deviations; an error if its winches cannot be set.
     pub(super) fn make(&self, deviations: &[f64]) -> Result<Made, InputError> {
         let (control, machine) =
             (self.deviating(Side::Control, deviations)?, self.deviating(Side::Machine, deviations)?);
@@ -99,7 +100,7 @@ impl<'a> Makers<'a> {
         }
         let mut tensions = if is_anew { self.initial_tensions(set_with, machine)? } else { self.tensions.clone() };
         let own = self.causes.iter().zip(deviations).filter(|(cause, _)| cause.kind == Kind::InitialTension);
-        // beyond slack there is nothing to set
+        // a negative tension cannot be set
         own.for_each(|(cause, by)| tensions[cause.cable] = (tensions[cause.cable] + by).max(0.0));
         let changed = Initial { tensions_N: Some(tensions), tension_method: None, ..initial.clone() };
         winch_offsets(&changed, set_with, machine, pose)

@@ -6,16 +6,16 @@ use super::{Criterion, Spans, Verdict};
 use crate::WorkspaceError;
 use cdpr_model::geometry::Pose;
 
-/// Holds where all of its criteria hold.
+/// Holds if all of its criteria hold.
 ///
-/// The margin is the least one, in whatever unit it has; the reason is that of the first criterion that fails.
+/// The margin is the least one, in its own unit; the reason is that of the first criterion that fails.
 pub struct All<'a> {
     joined: Joined<'a>,
 }
 
-/// Holds where one of its criteria holds.
+/// Holds if any of its criteria holds.
 ///
-/// The margin is the largest one, in whatever unit it has; the reason is that of every criterion.
+/// The margin is the largest one, in its own unit; the reason lists those of all criteria.
 pub struct Any<'a> {
     joined: Joined<'a>,
 }
@@ -44,12 +44,12 @@ impl<'a> Joined<'a> {
         self.criteria.iter().map(|criterion| criterion.effort()).sum()
     }
 
-    /// The spans of all criteria, where each has some.
+    /// The spans of all criteria; `None` if any of them has none.
     fn spans(&self, start: &Pose, direction: &Vector3<f64>, length: f64) -> Option<Vec<Spans>> {
         self.criteria.iter().map(|criterion| criterion.holds_along(start, direction, length)).collect()
     }
 
-    /// Reason of a criterion, after its name where there are several.
+    /// Reason of a criterion, after its name if there are several criteria.
     fn reason(&self, index: usize, verdict: &Verdict) -> Option<String> {
         let reason = verdict.reason.as_ref()?;
         match self.criteria.len() {
@@ -58,7 +58,7 @@ impl<'a> Joined<'a> {
         }
     }
 
-    /// Asks each criterion for the poses that the ones before have answered with `undecided`.
+    /// Asks each criterion about the poses that all earlier ones answered with `undecided`.
     fn holds_all(&self, poses: &[Pose], answers: &mut [bool], undecided: bool) {
         answers.fill(undecided);
         let mut open: Vec<usize> = (0..poses.len()).collect();
@@ -76,14 +76,14 @@ impl<'a> Joined<'a> {
 }
 
 impl<'a> All<'a> {
-    /// All of these; there is at least one.
+    /// A criterion that requires all of these; an error if there are none.
     pub fn new(criteria: Vec<Box<dyn Criterion + 'a>>) -> Result<Self, WorkspaceError> {
         Ok(Self { joined: Joined::new(criteria, " and ")? })
     }
 }
 
 impl<'a> Any<'a> {
-    /// One of these; there is at least one.
+    /// A criterion that requires one of these; an error if there are none.
     pub fn new(criteria: Vec<Box<dyn Criterion + 'a>>) -> Result<Self, WorkspaceError> {
         Ok(Self { joined: Joined::new(criteria, " or ")? })
     }

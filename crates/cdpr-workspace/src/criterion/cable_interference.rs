@@ -1,4 +1,4 @@
-//! Cables that keep apart from each other.
+//! Cables that keep a distance from each other.
 
 use super::cables::{named, not_negative, per_cable, straight};
 use super::clearance::Segment;
@@ -7,12 +7,13 @@ use crate::WorkspaceError;
 use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 
-/// The free parts of any two cables keep apart: the distance of their axes is at least half of both diameters (`diameter_m`) and the
-/// clearance (Merlet 2004; Perreault et al. 2010).
+/// The free parts of any two cables keep apart: the distance of their axes is at least half of both diameters
+/// (`diameter_m`) plus the clearance (Merlet 2004; Perreault et al. 2010).
 ///
-/// Cables are straight lines from outlet to platform anchor, whatever sags. Two that share a frame anchor or a platform anchor meet
-/// there by design and are not compared. The margin (m) is the least distance left; cables of a planar robot count as lying in one
-/// plane, and where two cross it is below zero by how far they have to be pulled apart.
+/// Cables are straight lines from outlet to platform anchor, without sag. Two that share a frame anchor or a platform
+/// anchor meet there by design and are not compared. The margin (m) is the least distance left. Cables of a planar
+/// robot count as lying in one plane; if two cross, the margin is minus the length by which they have to be pulled
+/// apart.
 #[derive(Clone, Debug)]
 pub(crate) struct CableInterference<'a> {
     model: &'a Model,
@@ -20,7 +21,7 @@ pub(crate) struct CableInterference<'a> {
     clearance: f64,
 }
 
-/// Two cables (from 0) and how far their axes have to be apart (m).
+/// Two cables (from 0) and the least distance between their axes (m).
 #[derive(Clone, Copy, Debug)]
 struct Pair {
     cables: [usize; 2],
@@ -30,7 +31,8 @@ struct Pair {
 const NAME: &str = "cable-interference";
 
 impl<'a> CableInterference<'a> {
-    /// The criterion for a clearance between the cables' surfaces (m), with the file's diameters or this one for all cables (m).
+    /// The criterion for a clearance between the cables' surfaces (m), with one diameter for all cables (m) or else
+    /// those of the file.
     pub(crate) fn new(model: &'a Model, clearance: f64, diameter: Option<f64>) -> Result<Self, WorkspaceError> {
         let robot = model.robot();
         not_negative(NAME, "clearance", clearance, "it is a finite length of 0 or more (m)")?;
@@ -76,7 +78,7 @@ impl Criterion for CableInterference<'_> {
         let left = |pair: &Pair| self.distance(&cables, pair) - pair.radii - self.clearance;
         let margins = self.pairs.iter().map(|pair| (left(pair), pair));
         let Some((margin, pair)) = margins.min_by(|a, b| a.0.total_cmp(&b.0)) else {
-            // no two cables without a common anchor
+            // every two cables share an anchor
             return Verdict::held(f64::MAX, None);
         };
         let [first, second] = pair.cables;

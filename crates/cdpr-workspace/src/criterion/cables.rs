@@ -1,4 +1,4 @@
-//! Data that criteria ask of every cable: keys of the file, paths at a pose, and names.
+//! Data of cables that criteria need: keys of the file, paths at a pose, and names.
 
 use nalgebra::Vector3;
 
@@ -9,7 +9,7 @@ use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 use cdpr_model::robot::{Cable, Robot};
 
-/// "cable 3", with its name where that says more.
+/// "cable 3", followed by its name if that differs from its number.
 pub(super) fn named(robot: &Robot, cable: usize) -> String {
     let (number, name) = ((cable + 1).to_string(), &robot.cables[cable].name);
     match *name == number {
@@ -18,7 +18,7 @@ pub(super) fn named(robot: &Robot, cable: usize) -> String {
     }
 }
 
-/// A number of every cable: the same for all where one is given, else that of the file.
+/// A number per cable: `given` for all cables, else that of the file.
 pub(super) fn per_cable(
     robot: &Robot,
     criterion: &'static str,
@@ -37,7 +37,8 @@ pub(super) fn per_cable(
     robot.cables.iter().enumerate().map(number).collect()
 }
 
-/// Two limits of every cable. A limit that no cable has is none (−∞ or ∞); one that some have, all need; one of both is needed.
+/// Least and largest limit per cable. A limit that no cable has is −∞ or ∞; one that some cables have, all must have;
+/// one of both is required.
 pub(super) fn limits(
     robot: &Robot,
     criterion: &'static str,
@@ -48,7 +49,7 @@ pub(super) fn limits(
     let known = [0, 1].map(|end| given[end].is_some() || robot.cables.iter().any(|cable| of[end](cable).is_some()));
     let mut limits = vec![[f64::NEG_INFINITY, f64::INFINITY]; robot.cable_count()];
     for end in [0, 1] {
-        // without any limit the larger one is asked for
+        // without any limit the larger one is required
         if known[end] || (end == 1 && !known[0]) {
             let numbers = per_cable(robot, criterion, keys[end], given[end], of[end])?;
             limits.iter_mut().zip(numbers).for_each(|(limits, number)| limits[end] = number);
@@ -78,7 +79,7 @@ pub(super) fn not_negative(
     }
 }
 
-/// A length that compares moments with forces, the platform radius where none is given (m).
+/// Length that compares moments with forces (m), the platform radius if none is given.
 pub(super) fn length_scale(model: &Model, criterion: &'static str, given: Option<f64>) -> Result<f64, WorkspaceError> {
     let value = given.unwrap_or_else(|| model.platform_radius());
     match value > 0.0 && value.is_finite() {
@@ -92,7 +93,7 @@ pub(super) fn length_scale(model: &Model, criterion: &'static str, given: Option
     }
 }
 
-/// Refuses a model whose structure matrix follows its tensions, for a criterion that asks the matrix alone.
+/// Refuses a model whose structure matrix depends on its tensions, for a criterion that uses the matrix alone.
 pub(super) fn fixed_directions(model: &Model, criterion: &'static str) -> Result<(), WorkspaceError> {
     match model.cables().has_fixed_directions() {
         true => Ok(()),
@@ -103,7 +104,7 @@ pub(super) fn fixed_directions(model: &Model, criterion: &'static str) -> Result
 /// The path of a cable, and its moment arm b = R b_P (world, m).
 pub(super) type CablePathAndArm = (CablePath<f64>, Vector3<f64>);
 
-/// Paths of all cables, or the verdict that one has none.
+/// Paths of all cables, or the verdict that a cable has none.
 pub(super) fn paths(model: &Model, pose: &Pose) -> Result<Vec<CablePathAndArm>, Verdict> {
     let path = |cable| {
         model.path(cable, pose).map_err(|error| Verdict::impossible(error.to_string(), Some(error.cable() - 1)))
@@ -120,7 +121,7 @@ pub(super) fn straight(model: &Model, pose: &Pose) -> Result<Vec<Segment>, Verdi
     Ok(paths(model, pose)?.into_iter().map(segment).collect())
 }
 
-/// The degree of freedom that a direction has most of: "along x", "about z".
+/// The degree of freedom with the largest component of a direction: "along x", "about z".
 pub(super) fn mainly(model: &Model, direction: impl Iterator<Item = f64>) -> String {
     let largest = direction.enumerate().max_by(|a, b| a.1.abs().total_cmp(&b.1.abs())).map_or(0, |(row, _)| row);
     let twist = model.twist_basis()[largest];

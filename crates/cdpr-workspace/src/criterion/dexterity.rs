@@ -1,4 +1,4 @@
-//! How evenly the cables act in all directions: condition and dexterity of the structure matrix.
+//! Uniformity of the cables' action over all directions: condition and dexterity of the structure matrix.
 
 use nalgebra::DMatrix;
 
@@ -10,7 +10,7 @@ use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 use cdpr_model::scalar::decomposition::svd;
 
-/// Condition numbers from here on are rounding of a singular matrix.
+/// Condition number above which a matrix is singular up to rounding.
 const SINGULAR: f64 = 1e12;
 
 /// The condition number κ = σ_max/σ_min of Aᵀ, moments divided by the length scale, is at most κ_max.
@@ -22,10 +22,11 @@ pub(crate) struct JacobianConditioning<'a> {
     largest: f64,
 }
 
-/// The dexterity 1/κ of Aᵀ (Gosselin, Angeles 1991: the local conditioning index), moments divided by the length scale, is at
-/// least what is asked for.
+/// The dexterity 1/κ of Aᵀ (Gosselin, Angeles 1991: the local conditioning index), moments divided by the length scale,
+/// is at least the required one.
 ///
-/// It is 1 where the cables act alike in all directions and 0 where in some direction none acts. The margin is its excess.
+/// It is 1 if the cables act alike in all directions and 0 if no cable acts in some direction. The margin is its
+/// excess.
 #[derive(Clone, Debug)]
 pub(crate) struct Dexterity<'a> {
     matrix: ScaledMatrix<'a>,
@@ -39,11 +40,11 @@ struct ScaledMatrix<'a> {
     length_scale: f64,
 }
 
-/// Singular values of a structure matrix, and the wrench that the cables do worst.
+/// Singular values of a structure matrix, and the direction in which the cables act least.
 struct Conditioning {
     /// σ_min/σ_max.
     inverse: f64,
-    /// The degree of freedom with the largest part in the weakest wrench.
+    /// The degree of freedom with the largest component of the weakest wrench.
     weakest: String,
 }
 
@@ -54,7 +55,7 @@ impl ScaledMatrix<'_> {
         for row in self.model.robot().motion_pattern.translations()..matrix.nrows() {
             matrix.row_mut(row).scale_mut(1.0 / self.length_scale);
         }
-        // rows that fewer cables cannot reach belong to singular values of zero
+        // with fewer cables than rows, the missing singular values are zero
         let gap = matrix.nrows().saturating_sub(matrix.ncols());
         let columns = matrix.ncols();
         let full = matrix.resize_horizontally(columns + gap, 0.0);
@@ -69,8 +70,8 @@ impl ScaledMatrix<'_> {
 }
 
 impl<'a> JacobianConditioning<'a> {
-    /// The criterion for the largest condition number allowed, 1 or more, with the platform radius as length scale (m) where none
-    /// is given.
+    /// The criterion for the largest condition number allowed, 1 or more; the length scale (m) is the platform radius
+    /// if `scale` is not given.
     pub(crate) fn new(model: &'a Model, largest: f64, scale: Option<f64>) -> Result<Self, WorkspaceError> {
         if !(largest >= 1.0 && largest.is_finite()) {
             let (setting, wanted) = ("largest condition number", "it is a finite number of 1 or more");
@@ -82,7 +83,8 @@ impl<'a> JacobianConditioning<'a> {
 }
 
 impl<'a> Dexterity<'a> {
-    /// The criterion for the least dexterity allowed, 0 to 1, with the platform radius as length scale (m) where none is given.
+    /// The criterion for the least dexterity allowed, 0 to 1; the length scale (m) is the platform radius if none is
+    /// given.
     pub(crate) fn new(model: &'a Model, least: f64, scale: Option<f64>) -> Result<Self, WorkspaceError> {
         let wanted = "it is a number from 0 to 1";
         not_negative("dexterity", "least dexterity", least, wanted)?;

@@ -159,7 +159,7 @@ pub const ENTRIES: &[Entry] = &[
     },
 ];
 
-/// A payload where one of its numbers is given, else a ball about the load.
+/// The criterion of a payload if one of its numbers is given, else of a ball about the load.
 fn wrench_set<'a>(setting: &Setting<'a>, wanted: &CriterionRequest) -> Result<Box<dyn Criterion + 'a>, WorkspaceError> {
     let (model, limits, length) = (setting.model, setting.limits.clone()?, wanted.number("length"));
     let of_ball = ["force", "moment"].map(|number| wanted.number(number));
@@ -177,7 +177,7 @@ fn wrench_set<'a>(setting: &Setting<'a>, wanted: &CriterionRequest) -> Result<Bo
             wanted: "beside the numbers of a payload it is left out: ask for two criteria",
         });
     }
-    // one mass given is the only one
+    // one given mass stands for both limits
     let mass = least.or(largest).zip(largest.or(least)).map(|(least, largest)| [least, largest]);
     let payload = Payload::of(model.robot(), mass, acceleration.unwrap_or(0.0), angular.unwrap_or(0.0))?;
     Ok(Box::new(WrenchSetFeasible::new(model, &limits, Requirement::Payload(payload), length)?))

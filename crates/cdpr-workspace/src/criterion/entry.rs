@@ -1,4 +1,4 @@
-//! Entry of a criterion in the registry: name, numbers, and how it is made.
+//! Entry of a criterion in the registry: its name, its numbers and its constructor.
 
 use super::Criterion;
 use crate::WorkspaceError;
@@ -6,24 +6,24 @@ use cdpr_model::model::Model;
 use cdpr_model::statics::{Load, LoadError};
 use cdpr_model::tension::{Limits, LimitsError};
 
-/// Ingredients of criteria. Load and limits may be unknown: only criteria that need them refuse then.
+/// Inputs of criteria. Load and limits may be unknown: only criteria that need them fail then.
 #[derive(Clone, Debug)]
 pub struct Setting<'a> {
     /// Robot and effects.
     pub model: &'a Model,
-    /// Load on the platform besides the cables.
+    /// Load on the platform, without the cables.
     pub load: Result<Load, LoadError>,
     /// Least and largest tensions.
     pub limits: Result<Limits, LimitsError>,
 }
 
-/// A criterion that can be asked for by name.
+/// A criterion that can be requested by name.
 pub struct Entry {
-    /// The name.
+    /// Name of the criterion.
     pub name: &'static str,
-    /// Question that it asks of a pose, in one line.
+    /// Property of a pose that it tests, in one line.
     pub summary: &'static str,
-    /// The numbers that it takes, with their unit.
+    /// The numbers that the criterion takes, with their units.
     pub numbers: &'static [Number],
     pub(super) make: Make,
 }
@@ -33,15 +33,15 @@ pub(super) type Make = for<'a> fn(&Setting<'a>, &CriterionRequest) -> Result<Box
 /// A number that a criterion takes.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub struct Number {
-    /// Its name.
+    /// Name of the number.
     pub name: &'static str,
-    /// Its unit.
+    /// Unit of the number.
     pub unit: &'static str,
-    /// False where the criterion does without it.
+    /// False if the criterion has a default for it.
     pub is_required: bool,
 }
 
-/// A criterion as it is asked for: `NAME` or `NAME:NUMBER=VALUE,…`.
+/// A criterion as it is requested: `NAME` or `NAME:NUMBER=VALUE,…`.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CriterionRequest {
     pub(super) name: &'static str,

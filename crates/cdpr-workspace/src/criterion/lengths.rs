@@ -11,8 +11,9 @@ use cdpr_model::robot::Cable;
 
 /// Every geometric cable length q, wrapped part included, keeps q_min ≤ q ≤ q_max (`length_min_m`, `length_max_m`).
 ///
-/// The margin (m) is the least distance of a length from its limits. Between points, without pulleys, drums and sag, the limits are
-/// spheres: where they hold along a straight way follows from quadratic equations.
+/// The margin (m) is the least distance of a length from its limits. Between point outlets and anchors, without
+/// pulleys, drums and sag, the limits are spheres: the parts of a straight line on which they hold follow from
+/// quadratic equations.
 #[derive(Clone, Debug)]
 pub struct LengthLimits<'a> {
     model: &'a Model,
@@ -22,9 +23,9 @@ pub struct LengthLimits<'a> {
 const NAME: &str = "cable-length";
 
 impl<'a> LengthLimits<'a> {
-    /// The criterion with the limits of the robot's file, or these for all cables (m).
+    /// The criterion with these limits for all cables (m), or else those of the robot's file.
     ///
-    /// A limit that neither is given nor stands at any cable is none; one of both must be there.
+    /// A limit that is neither given nor in the file for any cable is absent; one of both is required.
     pub fn new(model: &'a Model, minimum: Option<f64>, maximum: Option<f64>) -> Result<Self, WorkspaceError> {
         let (keys, of) =
             (["length_min_m", "length_max_m"], [|cable: &Cable| cable.length_min, |cable: &Cable| cable.length_max]);
@@ -72,15 +73,16 @@ impl Criterion for LengthLimits<'_> {
     }
 }
 
-/// Interval of ρ (m) with |way + ρ direction| ≤ radius: |way|² + 2 ρ way · direction + ρ² ≤ radius²; `None` where it is empty.
+/// Interval of ρ (m) with |way + ρ direction| ≤ radius: |way|² + 2 ρ way · direction + ρ² ≤ radius²; `None` if it is
+/// empty.
 fn in_sphere(way: &Vector3<f64>, direction: &Vector3<f64>, radius: f64) -> Option<[f64; 2]> {
     let nearest = -way.dot(direction);
-    // the distance of the line, without the difference of large squares
+    // the distance of the line, without a difference of large squares
     let away = (way + direction * nearest).norm();
     (away <= radius).then(|| ((radius - away) * (radius + away)).sqrt()).map(|half| [nearest - half, nearest + half])
 }
 
-/// The verdict on numbers of cables by their limits, that of the worst cable; words of cable, number and limit.
+/// The verdict of the cable nearest to its limits, or furthest beyond them; `words` describes cable, number and limit.
 pub(super) fn nearest_limit(
     numbers: impl Iterator<Item = f64>,
     limits: &[[f64; 2]],

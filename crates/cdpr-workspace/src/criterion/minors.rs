@@ -1,4 +1,4 @@
-//! Changes of sign of the structure matrix' minors along a straight way.
+//! Sign changes of the structure matrix' minors along a straight line.
 
 use nalgebra::{DMatrix, DVector, Vector3};
 
@@ -6,28 +6,29 @@ use cdpr_model::geometry::{Pose, Twist};
 use cdpr_model::model::Model;
 use cdpr_model::scalar::polynomial::sign_changes;
 
-/// The structure matrix times cable lengths along a way in one orientation: linear in the part t of the way, so that its
-/// minors are polynomials of at most the n-th degree.
+/// The structure matrix times cable lengths along a straight line in one orientation: linear in the fraction t of the
+/// line, so that its minors are polynomials of at most the n-th degree.
 ///
-/// Between two changes of sign of any minor, the cables act in the same sense on every side of every hyperplane that others
-/// span: what depends on senses alone, as wrench closure does, is the same all the way.
+/// Between two sign changes of any minor, each cable stays on the same side of every hyperplane that others span: a
+/// property that depends on these sides alone, such as wrench closure, does not change there.
 pub(super) struct Minors {
     /// At t = 0.
     start: DMatrix<f64>,
     /// Difference between t = 1 and t = 0.
     change: DMatrix<f64>,
-    /// Length of the way (m).
+    /// Length of the line (m).
     length: f64,
 }
 
-/// More minors than this take longer than looking at poses.
+/// Count of minors above which judging poses is faster.
 const MOST: usize = 1000;
-/// Coefficients below this part of the largest minor that such columns can have are rounding of zero.
+/// Coefficients below this fraction of the largest minor that columns of this length can have are rounding errors of
+/// zero.
 const ROUNDING: f64 = 1e-13;
 
 impl Minors {
-    /// Along a direction of length 1 from a pose; `None` for outlets that are no points, for sagging cables, and for more cables
-    /// than can be looked at.
+    /// The matrix along a direction of length 1 from a pose; `None` for outlets that are not points, for sagging
+    /// cables, and for too many cables.
     pub(super) fn along(model: &Model, pose: &Pose, direction: &Vector3<f64>, length: f64) -> Option<Self> {
         let lines = model.straight_lines()?;
         let count = binomial(model.cable_count(), model.dof());
@@ -47,7 +48,7 @@ impl Minors {
         Some(Self { start, change, length })
     }
 
-    /// Rising distances from the start at which some minor changes its sign (m).
+    /// Distances from the start at which some minor changes its sign (m), in increasing order.
     pub(super) fn sign_changes(&self) -> Vec<f64> {
         let (dof, cable_count) = self.start.shape();
         if cable_count < dof {
@@ -73,27 +74,27 @@ impl Minors {
         marks
     }
 
-    /// Length that a column has at most.
+    /// Largest length of a column along the line.
     fn largest(&self, cable: usize) -> f64 {
         let start = self.start.column(cable);
         start.norm().max((start + self.change.column(cable)).norm())
     }
 }
 
-/// Places in 0..1 that determine a polynomial.
+/// Nodes in 0..1 that determine a polynomial.
 struct Nodes {
     places: Vec<f64>,
-    /// From values at the places to coefficients.
+    /// Matrix from values at the nodes to coefficients.
     inverse: DMatrix<f64>,
 }
 
 impl Nodes {
-    /// For polynomials of this degree, at the extrema of Chebyshev's.
+    /// Nodes for polynomials of this degree, at the extrema of Chebyshev's.
     fn new(degree: usize) -> Self {
         let angle = |k: usize| std::f64::consts::PI * k as f64 / degree as f64;
         let places: Vec<f64> = (0..=degree).map(|k| 0.5 - 0.5 * angle(k).cos()).collect();
         let powers = DMatrix::from_fn(degree + 1, degree + 1, |row, power| places[row].powi(power as i32));
-        // different places always determine the coefficients
+        // distinct nodes always determine the coefficients
         let inverse = powers.try_inverse().unwrap_or_else(|| DMatrix::zeros(degree + 1, degree + 1));
         Self { places, inverse }
     }
@@ -103,7 +104,7 @@ impl Nodes {
     }
 }
 
-/// The next choice of so many out of `count`, in order; false after the last.
+/// Advances to the next choice out of `count`, in lexicographic order; false after the last one.
 fn next(chosen: &mut [usize], count: usize) -> bool {
     let size = chosen.len();
     let Some(place) = (0..size).rev().find(|&place| chosen[place] < count - size + place) else { return false };
@@ -114,7 +115,7 @@ fn next(chosen: &mut [usize], count: usize) -> bool {
     true
 }
 
-/// How many ways there are to choose `size` out of `count`.
+/// Number of choices of `size` out of `count`.
 fn binomial(count: usize, size: usize) -> usize {
     (0..size.min(count)).fold(1, |ways: usize, k| ways.saturating_mul(count - k) / (k + 1))
 }

@@ -1,4 +1,4 @@
-//! Criteria: what has to hold at a pose, one file each.
+//! Criteria: properties that are tested at a pose, one file each.
 
 mod any_all;
 mod cable_interference;
@@ -52,40 +52,41 @@ use nalgebra::Vector3;
 use super::Verdict;
 use cdpr_model::geometry::Pose;
 
-/// Property of poses: it holds at some and fails at others.
+/// Property of poses: it holds at some poses and fails at others.
 ///
-/// A criterion holds what it needs (model, load, limits) and answers the same for the same pose, whatever was asked
-/// before: threads share it.
+/// A criterion owns its inputs (model, load, limits) and gives the same answer for the same pose, independent of
+/// earlier calls: threads share it.
 pub trait Criterion: Sync {
     /// Name on the command line, e.g. `wrench-feasible`.
     fn name(&self) -> &str;
 
-    /// Unit of the margin; `1` where it has none.
+    /// Unit of the margin; `1` if it is dimensionless.
     fn unit(&self) -> &str;
 
     /// The full answer at a pose.
     fn judge(&self, pose: &Pose) -> Verdict;
 
-    /// Whether it holds at a pose: the verdict of [`Criterion::judge`], faster where that can be.
+    /// True if it holds at a pose: the verdict of [`Criterion::judge`], possibly computed faster.
     fn holds(&self, pose: &Pose) -> bool {
         self.judge(pose).holds()
     }
 
-    /// How long a pose takes, in units of a pose of wrench feasibility in a batch, by orders of magnitude: what a search may ask that
-    /// nobody gave a step to.
+    /// Time per pose, in units of a pose of wrench feasibility in a batch, as an order of magnitude: it limits how many
+    /// poses a search without a given step may judge.
     fn effort(&self) -> f64 {
         30.0
     }
 
-    /// Spans (m) of a straight way along which it holds, in closed form: from `start` on with its rotation, along a direction of
-    /// length 1, so far (m). `None` where it has no closed form, as most criteria: then poses are judged.
+    /// Spans (m) of a straight line on which it holds, in closed form: from `start` with its rotation, along a
+    /// direction of length 1, up to `length` (m). `None` for criteria without a closed form, as for most: then poses
+    /// are judged.
     ///
-    /// A criterion answers all ways of one model alike, with intervals or with `None`.
+    /// A criterion answers for all lines of one model alike, with intervals or with `None`.
     fn holds_along(&self, _start: &Pose, _direction: &Vector3<f64>, _length: f64) -> Option<Spans> {
         None
     }
 
-    /// Whether it holds at each of many poses; `answers` has one entry per pose.
+    /// Writes for each pose whether it holds; `answers` has one entry per pose.
     fn holds_all(&self, poses: &[Pose], answers: &mut [bool]) {
         for (pose, answer) in poses.iter().zip(answers) {
             *answer = self.holds(pose);

@@ -1,31 +1,31 @@
-//! How far tension limits can close in before no tensions are left.
+//! Amount by which tension limits can narrow before no tensions are left.
 
 use nalgebra::DMatrix;
 
 use cdpr_model::tension::quadratic::{Certificate, Solver, Status};
 use cdpr_model::tension::{InputError, Limits};
 
-/// Limits that close in with a number t: f_min + rise · t ≤ f ≤ f_max − fall · t.
+/// Limits that narrow with a number t: f_min + rise · t ≤ f ≤ f_max − fall · t.
 #[derive(Clone, Debug)]
 pub(super) struct Closing<'a> {
     /// The limits at t = 0.
     pub(super) limits: &'a Limits,
-    /// How fast the least tensions rise.
+    /// Rate at which the least tensions rise with t.
     pub(super) rise: f64,
-    /// How fast the largest tensions fall.
+    /// Rate at which the largest tensions fall with t.
     pub(super) fall: f64,
 }
 
 /// The largest t with tensions between the limits.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Narrowing {
-    /// t; −∞ where no limits would do.
+    /// t; −∞ if no limits allow tensions.
     pub(super) amount: f64,
-    /// The cable that counts most in the proof that there is no more.
+    /// The cable with the largest weight in the certificate that t cannot be larger.
     pub(super) cable: Option<usize>,
 }
 
-/// Programmes solved before the search is given up: it has not been seen to need more than ten.
+/// Programmes solved before the search is given up; at most ten have been observed.
 const MAX_PROGRAMMES: u32 = 100;
 
 impl Closing<'_> {
@@ -49,7 +49,7 @@ impl Closing<'_> {
         Limits::new(minimum, maximum).ok()
     }
 
-    /// The t at which what the cables can give in the direction of a certificate is what the load asks for.
+    /// The t at which the cables' capacity in the direction of a certificate equals the load there.
     fn exhausted(&self, certificate: &Certificate) -> Narrowing {
         let (mut given, mut fall) = (-certificate.required, 0.0);
         let mut heaviest = (0.0, None);
@@ -64,7 +64,7 @@ impl Closing<'_> {
                 heaviest = (weight.abs(), Some(cable));
             }
         }
-        // the largest weight is 1, but for a direction in which no cable acts
+        // the largest weight is 1, except for a direction in which no cable acts
         if heaviest.0 < 0.5 {
             return Narrowing { amount: f64::NEG_INFINITY, cable: None };
         }
@@ -75,9 +75,9 @@ impl Closing<'_> {
 /// The largest t up to `start` for which tensions between the limits balance the wrench: max t such that Aᵀ f + w = 0,
 /// f_min + rise t ≤ f ≤ f_max − fall t.
 ///
-/// Newton's method on the dual of this linear programme: where the programme at t is infeasible, its certificate y bounds t
-/// by the t at which y no longer proves anything; that is the next t. Every certificate comes from a vertex of the dual, so
-/// the last of finitely many steps is exact to the rounding of the programme, 1e-10 of the limits.
+/// Newton's method on the dual of this linear programme: if the programme at t is infeasible, its certificate y bounds
+/// t by the t at which y no longer proves infeasibility; that is the next t. Every certificate comes from a vertex of
+/// the dual, so the last of finitely many steps is exact to the rounding of the programme, 1e-10 of the limits.
 pub(super) fn largest(
     qp: &mut Solver,
     matrix: &DMatrix<f64>,
@@ -95,7 +95,7 @@ pub(super) fn largest(
         let Some(certificate) = found.certificate() else { break };
         let next = closing.exhausted(certificate);
         if !(next.amount < best.amount) {
-            break; // what is left is rounding
+            break; // the remaining change is rounding
         }
         best = next;
         if best.amount == f64::NEG_INFINITY {

@@ -13,25 +13,26 @@ use cdpr_model::scalar::decomposition::symmetric_eigen;
 use cdpr_model::statics::Load;
 use cdpr_model::tension::Limits;
 
-/// The lowest frequency of small free vibrations at fixed controlled lengths, M δẍ + K_wx δx = 0, is at least the one asked for.
+/// The lowest frequency of small free vibrations at fixed controlled lengths, M δẍ + K_wx δx = 0, is at least the
+/// required one.
 ///
-/// M is the mass matrix of the platform about its origin (Newton, Euler), K_wx the symmetric part of the stiffness at the tensions
-/// nearest to the middle of their limits that hold the load. Cables have no mass and nothing damps. The margin (Hz) is the excess
-/// of √(λ_min)/2π for the least eigenvalue of M⁻¹ K_wx, with the sign of an unstable λ_min before the root; −∞ where no tensions
-/// within limits hold the load.
+/// M is the mass matrix of the platform about its origin (Newton, Euler), K_wx the symmetric part of the stiffness at
+/// the tensions nearest to the middle of their limits that hold the load. Cables are massless and undamped. The margin
+/// (Hz) is the excess of √(λ_min)/2π for the least eigenvalue of M⁻¹ K_wx; a negative λ_min keeps its sign before the
+/// root. −∞ if no tensions within limits hold the load.
 #[derive(Clone, Debug)]
 pub(crate) struct NaturalFrequency<'a> {
     held: HeldPlatform<'a>,
     least: f64,
-    /// About the platform origin, platform axes (kg, kg·m, kg·m²).
+    /// Mass matrix about the platform origin, platform axes (kg, kg·m, kg·m²).
     mass_matrix: Matrix6<f64>,
 }
 
 const NAME: &str = "natural-frequency";
 
 impl<'a> NaturalFrequency<'a> {
-    /// The criterion for the least frequency (Hz), elastic cables and a platform with mass, centre of mass and inertia as far as it
-    /// turns.
+    /// The criterion for the least frequency (Hz). Needs elastic cables and a platform with mass, and with centre of
+    /// mass and inertia as far as it turns.
     pub(crate) fn new(model: &'a Model, load: &Load, limits: &Limits, least: f64) -> Result<Self, WorkspaceError> {
         let least = not_negative(NAME, "least frequency", least, "it is a finite number of 0 or more (Hz)")?;
         let body = Body::of(model.robot()).map_err(|error| missing(model.robot(), error.key))?;
@@ -56,7 +57,7 @@ impl<'a> NaturalFrequency<'a> {
         DMatrix::from_fn(basis.len(), basis.len(), |i, j| basis[i].dot(&(self.mass_matrix * basis[j])))
     }
 
-    /// The lowest frequency (Hz) and the direction that it mainly has.
+    /// The lowest frequency (Hz) and its main direction.
     fn lowest(&self, system: &DMatrix<f64>, pose: &Pose) -> Option<(f64, String)> {
         let symmetric = (system + system.transpose()) * 0.5;
         // with M = L Lᵀ the eigenvalues of M⁻¹ K are those of L⁻¹ K L⁻ᵀ

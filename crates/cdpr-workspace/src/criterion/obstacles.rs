@@ -10,13 +10,14 @@ use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 use cdpr_model::robot::{Obstacle, ObstacleShape, Robot};
 
-/// The free part of every cable keeps away from every obstacle of the file (`[[obstacle]]`: boxes along the world's axes and round
-/// struts of the frame) by half its diameter and the clearance.
+/// The free part of every cable keeps away from every obstacle of the file (`[[obstacle]]`: boxes along the world's
+/// axes and round struts of the frame) by half its diameter and the clearance.
 ///
-/// Cables are straight lines from outlet to platform anchor, whatever sags. An obstacle on which a cable's frame anchor sits (inside
-/// it, or nearer than clearance, half a cable and, with pulleys, a pulley's diameter) carries that cable's outlet and is not judged
-/// against it. The margin (m) is the least distance left, below zero by the depth where a cable goes through. Of a strut in a plane
-/// that is its radius and the way by which the crossing axes have to be drawn apart.
+/// Cables are straight lines from outlet to platform anchor, without sag. An obstacle that supports a cable's frame
+/// anchor (which lies inside it, or nearer than clearance, half a cable and, with pulleys, a pulley's diameter) carries
+/// that cable's outlet and is not judged against it. The margin (m) is the least distance left; if a cable passes
+/// through, minus the depth. For a strut in a plane, that is its radius plus the length by which the crossing axes have
+/// to be moved apart.
 #[derive(Clone, Debug)]
 pub(crate) struct CableObstacles<'a> {
     model: &'a Model,
@@ -24,7 +25,7 @@ pub(crate) struct CableObstacles<'a> {
     clearance: f64,
 }
 
-/// A cable, an obstacle (both from 0), and how far the cable's axis has to stay away (m).
+/// A cable, an obstacle (both from 0), and the least distance of the cable's axis (m).
 #[derive(Clone, Copy, Debug)]
 struct Pair {
     cable: usize,
@@ -42,7 +43,7 @@ pub(super) enum Body {
 const NAME: &str = "obstacles";
 
 impl<'a> CableObstacles<'a> {
-    /// The criterion for a clearance (m), with the file's cable diameters or this one for all cables (m).
+    /// The criterion for a clearance (m), with one diameter for all cables (m) or else those of the file.
     pub(crate) fn new(model: &'a Model, clearance: f64, diameter: Option<f64>) -> Result<Self, WorkspaceError> {
         let robot = model.robot();
         not_negative(NAME, "clearance", clearance, "it is a finite length of 0 or more (m)")?;
@@ -67,7 +68,7 @@ impl<'a> CableObstacles<'a> {
     }
 }
 
-/// The file has no obstacles.
+/// Error of a file without obstacles.
 pub(super) fn missing_obstacles(criterion: &'static str, robot: &Robot, cure: &str) -> WorkspaceError {
     WorkspaceError::MissingKey {
         criterion,
@@ -92,7 +93,7 @@ impl Body {
         }
     }
 
-    /// Distance of a cable's axis from the surface (m), below zero inside.
+    /// Distance of a cable's axis from the surface (m), negative inside.
     fn distance(&self, robot: &Robot, cable: &Segment) -> f64 {
         match self {
             Self::Box(solid) => solid.distance(cable),

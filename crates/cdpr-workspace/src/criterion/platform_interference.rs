@@ -7,17 +7,18 @@ use crate::WorkspaceError;
 use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 
-/// No cable runs into the platform that it holds, or past it at less than an angle.
+/// No cable runs into the platform that it holds, or passes it at less than a given angle.
 ///
-/// The platform is the convex hull of the points `hull_m` in \[platform\], or of the platform anchors where the file has none. Seen
-/// from its anchor it fills a cone of directions; the cable is straight and its thickness is left out. A cable that leaves the cone
-/// does not come back to the convex body. The margin (rad) is the angle between cable and cone less the one asked for: the exact
-/// angle beside a side of the cone and inside it, at most the angle off its edges; in a plane too, from 90° off a side on. Anchors inside the hull of the anchors are not judged:
-/// where they sit the hull says nothing about the body.
+/// The platform is the convex hull of the points `hull_m` in \[platform\], or of the platform anchors if the file has
+/// none. Seen from its anchor it fills a cone of directions; the cable is straight and its thickness is left out. A
+/// cable that leaves the cone does not return to the convex body. The margin (rad) is the angle between cable and cone
+/// minus the required one: the exact angle beside a side of the cone and inside it, at most the angle off its edges (in
+/// a plane, from 90° off a side). Anchors inside the hull of the anchors are not judged: there the hull says nothing
+/// about the body.
 #[derive(Clone, Debug)]
 pub(crate) struct PlatformInterference<'a> {
     model: &'a Model,
-    /// In platform axes, one per cable; `None` if the anchor is not judged.
+    /// Cones in platform axes, one per cable; `None` if the anchor is not judged.
     cones: Vec<Option<Cone>>,
     angle: f64,
 }
@@ -25,7 +26,7 @@ pub(crate) struct PlatformInterference<'a> {
 const NAME: &str = "platform-interference";
 
 impl<'a> PlatformInterference<'a> {
-    /// The criterion for the least angle between cable and platform (rad), 0 for a touch.
+    /// The criterion for the least angle between cable and platform (rad); 0 forbids only contact.
     pub(crate) fn new(model: &'a Model, angle: f64) -> Result<Self, WorkspaceError> {
         let robot = model.robot();
         let wanted = "it is a finite angle of 0 or more (rad)";

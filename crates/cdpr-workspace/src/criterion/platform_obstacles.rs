@@ -12,15 +12,16 @@ use cdpr_model::model::Model;
 
 /// The platform keeps away from every obstacle of the file (`[[obstacle]]`) by a clearance.
 ///
-/// The platform is the convex hull of the points `hull_m` in \[platform\], or of the platform anchors where the file has none. The
-/// margin (m) is the exact distance of the nearest obstacle less the clearance; where they overlap, minus the shortest way that
-/// would part them. Without a clearance and among boxes only, where it holds along a straight way has a closed form.
+/// The platform is the convex hull of the points `hull_m` in \[platform\], or of the platform anchors if the file has
+/// none. The margin (m) is the exact distance of the nearest obstacle minus the clearance; if they overlap, minus the
+/// shortest translation that would part them. Without a clearance and among boxes only, the parts of a straight line on
+/// which it holds have a closed form.
 #[derive(Clone, Debug)]
 pub struct PlatformObstacles<'a> {
     model: &'a Model,
-    /// In platform axes.
+    /// The platform in platform axes.
     solid: Solid,
-    /// Obstacles as the file has them, with what a strut's axis needs besides (m).
+    /// Obstacles of the file, each with the distance that its axis needs (m): the radius of a strut.
     bodies: Vec<(Other, f64)>,
     clearance: f64,
 }

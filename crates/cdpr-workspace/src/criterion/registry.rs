@@ -1,4 +1,4 @@
-//! Every criterion under its name, and how it is made from a robot and numbers: one entry each.
+//! Every criterion under its name, with its constructor from a robot and numbers: one entry each.
 
 use std::str::FromStr;
 
@@ -11,7 +11,7 @@ use super::{All, Criterion};
 use crate::WorkspaceError;
 use cdpr_model::reading::did_you_mean;
 
-/// Words that ask for no criterion.
+/// Words that request no criterion.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum WantedError {
@@ -20,27 +20,27 @@ pub enum WantedError {
     Unknown {
         /// Name given.
         name: String,
-        /// The one that was meant, or all there are.
+        /// The likely intended name, or all names.
         cure: String,
     },
-    /// A number that is none, or that the criterion does not take.
+    /// Text that is no number, or a number that the criterion does not take.
     #[error("`{part}` is no number of the criterion `{name}`; {cure}")]
     Number {
         /// Part given.
         part: String,
         /// Name of the criterion.
         name: &'static str,
-        /// The numbers it takes.
+        /// The numbers that the criterion takes.
         cure: String,
     },
-    /// A number that the criterion cannot do without.
+    /// A required number is missing.
     #[error("the criterion `{name}` needs the number `{number}` ({unit}), as in {name}:{number}=…")]
     Missing {
         /// Name of the criterion.
         name: &'static str,
         /// Name of the number.
         number: &'static str,
-        /// Its unit.
+        /// Unit of the number.
         unit: &'static str,
     },
 }
@@ -94,12 +94,12 @@ impl CriterionRequest {
         self.name
     }
 
-    /// A number that was given.
+    /// A given number; `None` if it was not given.
     pub(crate) fn number(&self, name: &str) -> Option<f64> {
         self.numbers.iter().rev().find(|(known, _)| *known == name).map(|(_, value)| *value)
     }
 
-    /// A number that [`Number::is_required`]; NaN, which every criterion refuses, where it is missing all the same.
+    /// A number that [`Number::is_required`]; NaN, which every criterion refuses, if it is missing.
     pub(crate) fn required(&self, name: &str) -> f64 {
         self.number(name).unwrap_or(f64::NAN)
     }
@@ -111,7 +111,7 @@ impl CriterionRequest {
     }
 }
 
-/// The criterion that asks for all of these.
+/// The criterion that requires all of these.
 pub fn all<'a>(wanted: &[CriterionRequest], setting: &Setting<'a>) -> Result<Box<dyn Criterion + 'a>, WorkspaceError> {
     let mut criteria = wanted.iter().map(|wanted| wanted.make(setting)).collect::<Result<Vec<_>, _>>()?;
     match criteria.len() {

@@ -1,13 +1,13 @@
-//! Parts of a straight way, as intervals.
+//! Parts of a straight line, as intervals.
 
-/// Parts of a way from 0 to its length (m): closed intervals in order that do not meet.
+/// Parts of a line from 0 to its length (m): closed intervals, in order and disjoint.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub struct Spans {
     parts: Vec<[f64; 2]>,
 }
 
 impl Spans {
-    /// All of a way.
+    /// The whole line of this length (m).
     pub(crate) fn whole(length: f64) -> Self {
         Self { parts: vec![[0.0, length]] }
     }
@@ -37,7 +37,7 @@ impl Spans {
         self.and(&Self { parts: vec![[from, to]] })
     }
 
-    /// Difference: the parts outside the interval; its ends stay. NaN takes nothing away.
+    /// Difference: the parts outside the interval, whose end points stay. NaN removes nothing.
     #[must_use]
     pub(crate) fn without(&self, [from, to]: [f64; 2]) -> Self {
         if !(from < to) {

@@ -9,12 +9,12 @@ use cdpr_model::model::Model;
 use cdpr_model::statics::{Load, Stability};
 use cdpr_model::tension::Limits;
 
-/// Every small displacement at fixed controlled lengths is driven back: the symmetric part of K_wx = K_C − K_G − ∂w/∂x has positive
-/// eigenvalues only, above the stiffness that counts as none.
+/// Every small displacement at fixed controlled lengths is driven back: all eigenvalues of the symmetric part of
+/// K_wx = K_C − K_G − ∂w/∂x exceed the stiffness that counts as zero.
 ///
-/// A weight above the point it hangs from, or tensions that press a moment arm over, can make it fail however stiff the cables are. The
-/// margin (N/m) is the smallest eigenvalue, turns counted as the way of a point at the length scale; its sign does not depend on
-/// that length. −∞ where no tensions within limits hold the load.
+/// A weight above its suspension, or tensions that tip over a moment arm, can make it fail at any stiffness of the
+/// cables. The margin (N/m) is the smallest eigenvalue, with a turn measured by the path of a point at the length
+/// scale; its sign does not depend on that length. −∞ if no tensions within limits hold the load.
 #[derive(Clone, Debug)]
 pub(crate) struct StaticStability<'a> {
     held: HeldPlatform<'a>,
@@ -24,7 +24,7 @@ pub(crate) struct StaticStability<'a> {
 const NAME: &str = "stability";
 
 impl<'a> StaticStability<'a> {
-    /// The criterion for elastic cables, with the platform radius as length scale (m) where none is given.
+    /// The criterion for elastic cables; the length scale (m) is the platform radius if none is given.
     pub(crate) fn new(
         model: &'a Model,
         load: &Load,

@@ -13,12 +13,12 @@ use cdpr_model::scalar::decomposition::symmetric_eigen;
 use cdpr_model::statics::{self, Load};
 use cdpr_model::tension::{InputError, Limits};
 
-/// The smallest eigenvalue of the symmetric part of the stiffness K_wx (eq. 2.74, see [`statics::Stiffness`]) is at least the one
-/// asked for: against every displacement, turns counted as the way of a point at the length scale, the platform pushes back with
-/// that many newtons per metre.
+/// The smallest eigenvalue of the symmetric part of the stiffness K_wx (eq. 2.74, see [`statics::Stiffness`]) is at
+/// least the required one (N/m), so that the platform resists any displacement with that stiffness. A turn is measured
+/// by the path of a point at the length scale.
 ///
-/// Tensions are the ones nearest to the middle of their limits that balance the load. The margin (N/m) is the eigenvalue's excess;
-/// −∞ where no tensions within limits hold the load, which then is the reason.
+/// Tensions are those nearest to the middle of their limits that balance the load. The margin (N/m) is the eigenvalue's
+/// excess; −∞ if no tensions within limits hold the load, and the reason then says so.
 #[derive(Clone, Debug)]
 pub(crate) struct MinimumStiffness<'a> {
     held: HeldPlatform<'a>,
@@ -29,7 +29,7 @@ pub(crate) struct MinimumStiffness<'a> {
 const NAME: &str = "stiffness";
 
 impl<'a> MinimumStiffness<'a> {
-    /// The criterion for the least stiffness (N/m), with the platform radius as length scale (m) where none is given.
+    /// The criterion for the least stiffness (N/m); the length scale (m) is the platform radius if none is given.
     pub(crate) fn new(
         model: &'a Model,
         load: &Load,
@@ -78,7 +78,7 @@ impl Criterion for MinimumStiffness<'_> {
     }
 }
 
-/// A platform on elastic cables, whose tensions hold a load.
+/// A platform on elastic cables whose tensions hold a load.
 #[derive(Clone, Debug)]
 pub(super) struct HeldPlatform<'a> {
     pub(super) model: &'a Model,
@@ -86,11 +86,11 @@ pub(super) struct HeldPlatform<'a> {
     limits: Limits,
 }
 
-/// The direction in which a platform gives way most.
+/// The direction in which a platform is softest.
 pub(super) struct Softest {
     /// Smallest eigenvalue of the symmetric part (N/m).
     pub(super) eigenvalue: f64,
-    /// The degree of freedom with the largest part.
+    /// The degree of freedom with the largest component.
     pub(super) direction: String,
 }
 
@@ -128,7 +128,7 @@ impl<'a> HeldPlatform<'a> {
         distribution::effort(self.model, 100.0)
     }
 
-    /// The stiffness at the tensions that hold the load, or why there are none.
+    /// The stiffness at the tensions that hold the load, or the verdict that there are none.
     pub(super) fn stiffness(&self, pose: &Pose) -> Result<statics::Stiffness, Verdict> {
         let found = distribution::solve(self.model, pose, &self.load, &self.limits)
             .map_err(|error| Verdict::impossible(error.to_string(), cable_of(&error)))?;
@@ -139,7 +139,7 @@ impl<'a> HeldPlatform<'a> {
             .map_err(|error| Verdict::impossible(error.to_string(), None))
     }
 
-    /// The least eigenvalue of the symmetric part of K_wx for \[δr; ρ δφ\]; `None` where numbers overflow.
+    /// The least eigenvalue of the symmetric part of K_wx for \[δr; ρ δφ\]; `None` if numbers overflow.
     pub(super) fn softest(&self, stiffness: &statics::Stiffness, length_scale: f64) -> Option<Softest> {
         let translations = self.model.robot().motion_pattern.translations();
         let scale = |row: usize| if row < translations { 1.0 } else { 1.0 / length_scale };

@@ -54,7 +54,7 @@ fn limits_narrowed_by_less_than_the_margin_leave_tensions_and_by_more_leave_none
             assert_eq!(verdict.holds(), criterion.holds(&pose), "{name}");
             assert_eq!(verdict.holds(), verdict.reason.is_none(), "{name}");
             (held, failed) = (held + i32::from(verdict.holds()), failed + i32::from(!verdict.holds()));
-            // the programme keeps limits to 1e-10 of their size; the distance to the boundary is a thousand times that
+            // the programme keeps limits to 1e-10 of their size; the step to the boundary is a thousand times that
             let step = 1e-7 * limits.maximum()[0].max(verdict.margin.abs());
             assert!(narrowed(verdict.margin - step).holds(&pose), "{name} {verdict:?}");
             let range = limits.maximum()[0] - limits.minimum()[0];
@@ -135,7 +135,7 @@ fn joined_criteria_hold_where_all_and_where_one_of_them_hold() {
     assert!(All::new(Vec::new()).is_err());
 }
 
-/// A search that nobody gave a step to counts on it; with a fixed effort it took fifteen times the time it was given.
+/// A search without a given step relies on it; with a fixed effort it took fifteen times the time allowed.
 #[test]
 fn criteria_that_choose_tensions_take_longer_with_cables_that_sag() {
     let mut robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
@@ -153,7 +153,7 @@ fn criteria_that_choose_tensions_take_longer_with_cables_that_sag() {
     assert_eq!(efforts(&sagging), [1e4; 3]);
 }
 
-/// The sets of many cables have facets by the thousand: a search that nobody gave a step to counts on them.
+/// The sets of many cables have thousands of facets: a search without a given step takes that into account.
 #[test]
 fn wrench_sets_of_many_cables_take_longer() {
     let robot = Robot::builtin("cogiro").unwrap();

@@ -1,4 +1,4 @@
-//! Whether the model has an answer at a pose at all.
+//! Existence of the model's answer at a pose.
 
 use nalgebra::Vector3;
 
@@ -8,11 +8,12 @@ use cdpr_model::cable::outlet::Outlet;
 use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 
-/// Every cable has a path at the pose: no platform anchor lies on its outlet, inside its pulley, on the pulley's swivel axis, or
-/// on the open side of a pulley that does not swivel.
+/// Every cable has a path at the pose: no platform anchor lies on its outlet, inside its pulley, on the pulley's swivel
+/// axis, or on the open side of a pulley that does not swivel.
 ///
-/// The margin (m) is the least distance of a platform anchor from where its cable has no path: from the outlet, or from the
-/// pulley's circle and swivel axis. Inside the pulley it is below zero by the depth; on outlet or axis it is zero and fails.
+/// The margin (m) is the least distance of a platform anchor from the points at which its cable has no path: the
+/// outlet, or the pulley's circle and swivel axis. Inside the pulley it is minus the depth; on outlet or axis it is
+/// zero and fails.
 #[derive(Clone, Debug)]
 pub(crate) struct ModelValidity<'a> {
     model: &'a Model,
@@ -24,7 +25,7 @@ impl<'a> ModelValidity<'a> {
         Self { model }
     }
 
-    /// Distance of a cable's platform anchor from where it would have no path (m).
+    /// Distance of a cable's platform anchor from the points at which it has no path (m).
     fn distance(&self, cable: usize, pose: &Pose) -> f64 {
         let outlet = &self.model.law(cable).outlet;
         let entry = Vector3::from(*outlet.frame_anchor());

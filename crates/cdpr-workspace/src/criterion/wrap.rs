@@ -20,9 +20,10 @@ pub(crate) struct WrapLimits<'a> {
 const NAME: &str = "pulley-wrap";
 
 impl<'a> WrapLimits<'a> {
-    /// The criterion with the limits of the robot's file, or these for all cables (rad); for a model with pulleys.
+    /// The criterion with these limits for all cables (rad), or else those of the robot's file; for a model with
+    /// pulleys.
     ///
-    /// A limit that neither is given nor stands at any cable is none; one of both must be there.
+    /// A limit that is neither given nor in the file for any cable is absent; one of both is required.
     pub(crate) fn new(model: &'a Model, minimum: Option<f64>, maximum: Option<f64>) -> Result<Self, WorkspaceError> {
         if !model.composition().pulley {
             return Err(WorkspaceError::MissingEffect {

@@ -1,4 +1,4 @@
-//! Wrench closure: the cables can balance every load if only they may pull hard enough.
+//! Wrench closure: the cables can balance any load if their tensions may be large enough.
 
 use nalgebra::{DMatrix, Vector3};
 
@@ -13,22 +13,23 @@ use cdpr_model::scalar::decomposition::svd;
 use cdpr_model::tension::Limits;
 use cdpr_model::tension::quadratic::{Solver, Status};
 
-/// Positive tensions without a load, Aᵀ f = 0 with f > 0, and a structure matrix of full rank (Pott 2018, ch. 5): exact.
+/// Positive tensions without a load, Aᵀ f = 0 with f > 0, and a structure matrix of full rank (Pott 2018, ch. 5):
+/// exact.
 ///
-/// The margin (–) is the largest possible share of the smallest tension in the mean: max min f / mean f over Aᵀ f = 0. It
-/// is 1 where all cables can pull alike, 0 on the boundary, and below zero the smallest push that one cable could not do
-/// without; −∞ where the rank is lost.
+/// The margin (–) is the largest possible ratio of the smallest tension to the mean: max min f / mean f over Aᵀ f = 0.
+/// It is 1 if all cables can pull alike, 0 on the boundary, and below zero minus the smallest push that one cable would
+/// need; −∞ if the rank is deficient.
 ///
-/// Between points, without pulleys, closure changes along a straight way only where a minor of the structure matrix does its
-/// sign, and minors times cable lengths are polynomials there: rays are exact then.
+/// Between point outlets and anchors, closure changes along a straight line only where a minor of the structure matrix
+/// changes its sign, and minors times cable lengths are polynomials there: rays are exact then.
 #[derive(Clone, Debug)]
 pub struct WrenchClosure<'a> {
     model: &'a Model,
 }
 
-/// Tensions below this part of their sum are rounding of zero.
+/// Tensions below this fraction of their sum are rounding errors of zero.
 const LEAST: f64 = 1e-9;
-/// Singular values below this part of the largest are rounding of zero.
+/// Singular values below this fraction of the largest are rounding errors of zero.
 const LOST: f64 = 1e-9;
 
 impl<'a> WrenchClosure<'a> {
@@ -41,7 +42,7 @@ impl<'a> WrenchClosure<'a> {
         Solver::new(self.model.cable_count(), self.model.dof() + 1)
     }
 
-    /// Whether the tensions with this structure matrix can be `LEAST` at least, of a sum of 1.
+    /// True if the tensions with this structure matrix can be `LEAST` or more, for a sum of 1.
     fn all_pull(&self, qp: &mut Solver, matrix: &DMatrix<f64>) -> bool {
         qp.forget();
         let limits = Limits::uniform(matrix.ncols(), LEAST, 1.0);
@@ -52,11 +53,11 @@ impl<'a> WrenchClosure<'a> {
         })
     }
 
-    /// The largest least tension of a sum of 1.
+    /// The largest possible least tension for a sum of 1.
     fn least_tension(&self, qp: &mut Solver, matrix: &DMatrix<f64>) -> Result<Narrowing, WorkspaceError> {
         let cable_count = matrix.ncols();
         let limits = Limits::uniform(cable_count, 0.0, 1.0)?;
-        // of a sum of 1 none can be above what the others leave
+        // for a sum of 1 no tension can exceed what the others leave
         let closing = Closing { limits: &limits, rise: 1.0, fall: cable_count as f64 - 1.0 };
         let start = Narrowing { cable: None, ..closing.end() };
         let wrench = sum_of_one(matrix.nrows());
@@ -64,19 +65,19 @@ impl<'a> WrenchClosure<'a> {
     }
 }
 
-/// The structure matrix with a row that sums the tensions.
+/// The structure matrix with a further row that sums the tensions.
 fn with_sum(matrix: &DMatrix<f64>) -> DMatrix<f64> {
     matrix.clone().insert_row(matrix.nrows(), 1.0)
 }
 
-/// No load, and tensions that sum to 1.
+/// Wrench that stands for no load and tensions that sum to 1.
 fn sum_of_one(dof: usize) -> Vec<f64> {
     let mut wrench = vec![0.0; dof + 1];
     wrench[dof] = -1.0;
     wrench
 }
 
-/// Rank of a structure matrix, its rows compared after division by their length: forces and moments differ in unit.
+/// Rank of a structure matrix, with its rows divided by their norms, since forces and moments differ in unit.
 pub(crate) fn rank(matrix: &DMatrix<f64>) -> usize {
     let mut rows = matrix.clone();
     for mut row in rows.row_iter_mut() {

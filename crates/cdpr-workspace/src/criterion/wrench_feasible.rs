@@ -17,10 +17,10 @@ pub(super) const WRENCH_FEASIBLE: &str = "wrench-feasible";
 /// Tensions f with f_min ≤ f ≤ f_max balance the load, Aᵀ f + w = 0 (Verhoeven 2004; Pott 2018, ch. 5): exact.
 ///
 /// The margin (N) is the largest t for which limits narrowed by t on both sides, f_min + t ≤ f ≤ f_max − t, still leave
-/// tensions: how far every tension can stay away from its limits. Below zero it is how far the limits would have to be
-/// widened. It is continuous in the pose, the load and the limits while the structure matrix keeps its rank, at most half
-/// the narrowest range, and −∞ where no tensions at all would do. With sagging cables it is that of the directions at which
-/// tensions and shapes agree, or were left.
+/// tensions: the distance that every tension can keep from its limits. Below zero it is minus the amount by which the
+/// limits would have to be widened. It is continuous in the pose, the load and the limits while the structure matrix
+/// keeps its rank, at most half the narrowest range, and −∞ if no tensions at all balance the load. With sagging cables
+/// it is that of the directions at which tensions and shapes agree, or at which the iteration ended.
 #[derive(Clone, Debug)]
 pub struct WrenchFeasible<'a> {
     model: &'a Model,
@@ -93,13 +93,13 @@ impl Criterion for WrenchFeasible<'_> {
 
     fn holds_all(&self, poses: &[Pose], answers: &mut [bool]) {
         if feasibility::feasible(self.model, &self.load, &self.limits, poses, answers).is_err() {
-            // a load that cannot be calculated with
+            // a load that has no numbers
             answers.fill(false);
         }
     }
 }
 
-/// The cable (from 0) that keeps the question from having a meaning.
+/// The cable (from 0) without a path or state at the pose.
 pub(super) fn cable_of(error: &DistributionError) -> Option<usize> {
     match error {
         DistributionError::Statics(StaticsError::CablePath(path)) => Some(path.cable() - 1),

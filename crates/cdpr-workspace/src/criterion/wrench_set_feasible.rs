@@ -12,20 +12,21 @@ use cdpr_model::robot::Robot;
 use cdpr_model::statics::Load;
 use cdpr_model::tension::{InputError, Limits};
 
-/// Which wrenches a task asks for at a pose.
+/// The wrenches that a task requires at a pose.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Requirement {
-    /// The load there, plus every wrench of a set (rows of the structure matrix; N, N·m).
+    /// The load at the pose, plus every wrench of a set (rows of the structure matrix; N, N·m).
     AroundLoad(Load, RequiredSet),
     /// A payload: a range of masses, at rest (static) or in a box of accelerations (dynamic).
     Payload(Payload),
 }
 
-/// Tensions within limits balance every wrench that the task asks for: the required set lies in the available wrench set (Bouchard,
-/// Gosselin, Moore 2010): exact, whatever the set.
+/// Tensions within limits balance every wrench that the task requires: the required set lies in the available wrench
+/// set (Bouchard, Gosselin, Moore 2010); exact for any set.
 ///
-/// The margin is the capacity margin (N; see [`Margin::distance`]): the radius of the largest ball that can be added to every required
-/// wrench, moments divided by the length scale; below zero what the worst facet lacks.
+/// The margin is the capacity margin (N; see [`Margin::distance`]): the radius of the largest ball that can be added to
+/// every required wrench, moments divided by the length scale; if it is negative, minus the excess over the worst
+/// facet.
 #[derive(Clone, Debug)]
 pub(crate) struct WrenchSetFeasible<'a> {
     model: &'a Model,
@@ -37,7 +38,7 @@ pub(crate) struct WrenchSetFeasible<'a> {
 const NAME: &str = "wrench-set-feasible";
 
 impl<'a> WrenchSetFeasible<'a> {
-    /// The criterion for straight cables, with the platform radius as length scale (m) where none is given.
+    /// The criterion for straight cables; the length scale (m) is the platform radius if none is given.
     pub(crate) fn new(
         model: &'a Model,
         limits: &Limits,
@@ -63,7 +64,7 @@ impl<'a> WrenchSetFeasible<'a> {
         Ok(Self { model, limits: limits.clone(), requirement, row_lengths })
     }
 
-    /// The criterion for a load and every further force F and moment M in any direction that share an ellipsoid,
+    /// The criterion for a load and any further force F and moment M that share an ellipsoid,
     /// (|F|/force)² + (|M|/moment)² ≤ 1 (N, N·m).
     pub(crate) fn with_ball(
         model: &'a Model,
@@ -90,7 +91,7 @@ impl<'a> WrenchSetFeasible<'a> {
             .map_err(|error| Verdict::impossible(error.to_string(), None))
     }
 
-    /// The wrenches that the task asks for at a pose (rows of the structure matrix; N, N·m).
+    /// The wrenches that the task requires at a pose (rows of the structure matrix; N, N·m).
     pub(crate) fn required(&self, pose: &Pose) -> RequiredSet {
         match &self.requirement {
             Requirement::AroundLoad(load, set) => set.shifted(load.in_pattern(self.model, pose).as_slice()),
@@ -130,7 +131,7 @@ impl Criterion for WrenchSetFeasible<'_> {
     }
 }
 
-/// The wrench that is furthest out, and the cables that end the available set there.
+/// Text with the outermost wrench and the cables that limit the available set there.
 fn words(robot: &Robot, margin: &Margin) -> String {
     let rows: Vec<String> = margin.wrench.iter().map(|row| format!("{:.1}", row + 0.0)).collect();
     let lacking = -margin.distance;

@@ -1,24 +1,24 @@
-//! A point from which to look for a hull, where none is given.
+//! A point from which rays for a hull start, if none is given.
 
 use crate::grid::{Count, Grid};
 use crate::{Audit, Bounds, Point, Region, WorkspaceError};
 
 /// Cells of the coarse grid along the longest side of the box.
 const CELLS: f64 = 24.0;
-/// Seed of the points that are drawn where the grid finds none.
+/// Seed of the points that are drawn if the grid finds none.
 const SEED: u64 = 0xce27;
 
 /// Outcome of the search for a centre.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Center {
-    /// Here.
+    /// Centre found (m).
     At(Point),
-    /// Nowhere: no point of a coarse grid belongs to the region, nor one of those that the audit drew.
+    /// No centre: no point of a coarse grid belongs to the region, nor any of those that the audit drew.
     Nowhere(Audit),
 }
 
-/// Of the points of a coarse grid that belong to the region the one nearest to their centroid; where none does, of so many
-/// points drawn at random.
+/// The point of a coarse grid in the region that is nearest to the centroid of all such points; if there is none, the
+/// same for `points` points drawn at random.
 pub fn find_center(region: &Region<'_>, bounds: &Bounds, points: u64) -> Result<Center, WorkspaceError> {
     let longest = (0..bounds.dimension()).map(|axis| bounds.extent(axis)).fold(0.0, f64::max);
     let grid = Grid::new(bounds, longest / CELLS)?;

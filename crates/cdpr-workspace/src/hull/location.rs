@@ -1,14 +1,14 @@
-//! Which face of a hull a point lies behind.
+//! The face of a hull in the direction of a point.
 
 use super::sphere::{cross, dot, icosahedron, unit};
 use super::{Hull, Point};
 
-/// Tells which points a hull encloses.
+/// Test of whether points lie inside a hull.
 pub struct Locator<'a> {
     hull: &'a Hull,
-    /// Faces of the icosahedron that the hull's faces refine; none in a plane.
+    /// Faces of the icosahedron that the hull's faces refine; empty in a plane.
     coarsest: Vec<[Point; 3]>,
-    /// How often these were cut into four.
+    /// Number of times that these were cut into four.
     halvings: u32,
 }
 
@@ -24,7 +24,7 @@ impl<'a> Locator<'a> {
         Self { hull, coarsest, halvings }
     }
 
-    /// Whether the point lies between the centre and a face.
+    /// True if the point lies between the centre and a face.
     pub fn contains(&self, point: &Point) -> bool {
         let away = [0, 1, 2].map(|axis| point[axis] - self.hull.center[axis]);
         let Some(face) = self.hull.faces.get(self.face(&away)) else { return false };
@@ -41,7 +41,7 @@ impl<'a> Locator<'a> {
         whole > 0.0 && part <= whole
     }
 
-    /// Number of the face in a direction from the centre.
+    /// Index of the face in a direction from the centre.
     fn face(&self, away: &Point) -> usize {
         if self.hull.dimension == 2 {
             let turn = away[1].atan2(away[0]).rem_euclid(std::f64::consts::TAU) / std::f64::consts::TAU;
@@ -63,7 +63,7 @@ impl<'a> Locator<'a> {
     }
 }
 
-/// Which of the four triangles that the middles of the sides make lies in a direction; numbered as in the refined icosahedron.
+/// The quarter of a triangle, cut at the middles of its sides, in a direction; numbered as in the refined icosahedron.
 fn quarter([a, b, c]: &[Point; 3], away: &Point) -> (usize, [Point; 3]) {
     let middle = |p: &Point, q: &Point| unit([0, 1, 2].map(|axis| p[axis] + q[axis]));
     let [ab, bc, ca] = [middle(a, b), middle(b, c), middle(c, a)];

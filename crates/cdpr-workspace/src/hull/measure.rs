@@ -3,15 +3,15 @@
 use super::sphere::{cross, dot};
 use super::{Hull, Point};
 
-/// How large the region inside a hull is.
+/// Size, centroid and surface of the region inside a hull.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Measure {
     /// Area (m²) or volume (m³) between centre and faces.
     pub size: f64,
-    /// How far that is from the size that the refinement before gives, and what the hull leaves out (m², m³).
+    /// Difference to the size of the refinement before, plus the size that the hull leaves out (m², m³).
     ///
-    /// With twice as many rays along a line the error of a smooth boundary falls to a quarter, at edges to a half at least:
-    /// the truth is nearer than the refinement before.
+    /// With twice as many rays along a line the error of a smooth boundary falls to a quarter, at edges to a half at
+    /// least: the true size is nearer than the refinement before.
     pub error_bound: f64,
     /// Centroid (m).
     pub centroid: Point,
@@ -49,7 +49,7 @@ impl Hull {
         self.part(face).0
     }
 
-    /// Size between the centre and a face, and the size of the face.
+    /// Area (m²) or volume (m³) between the centre and a face, and the size of the face.
     fn part(&self, face: &[u32; 3]) -> (f64, f64) {
         let [a, b, c] = face.map(|ray| self.directions[ray as usize].map(|part| part * self.radii[ray as usize]));
         let (to_b, to_c) = ([0, 1, 2].map(|k| b[k] - a[k]), [0, 1, 2].map(|k| c[k] - a[k]));

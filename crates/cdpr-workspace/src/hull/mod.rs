@@ -1,7 +1,7 @@
 //! The boundary of a region as seen from a point in it (Pott 2008): rays in all directions, each bisected.
 //!
-//! A region that is not star-shaped about the centre has rays which leave and enter it again. Such rays are counted, and
-//! then there is no volume, for it would be wrong.
+//! A region that is not star-shaped about the centre has rays that leave it and enter it again. These rays are counted,
+//! and the hull then has no volume.
 
 mod center;
 mod location;
@@ -20,23 +20,23 @@ use sphere::{circle, halvings_for, icosphere};
 
 use super::{Audit, Bounds, Point, Region, WorkspaceError};
 
-/// Whether the region has a hull.
+/// Outcome: whether the hull bounds the region.
 #[derive(Clone, Debug, PartialEq)]
 #[non_exhaustive]
 pub enum Status {
-    /// Rays leave the region once, as far as their probes can tell, but for slivers that the bound of the error covers.
+    /// Rays leave the region once, as far as their probes show, except for slivers within the bound of the error.
     StarShaped,
-    /// Rays enter the region again after they have left it: what the rays saw first is no boundary of all of it.
+    /// Rays enter the region again after they have left it: their first ends do not bound all of it.
     NotStarShaped {
         /// Number of such rays.
         rays: usize,
-        /// Direction of the one that enters again over the longest way.
+        /// Direction of the ray with the longest part inside after its return.
         direction: Point,
     },
-    /// Points drawn at random belong to the region, but lie further outside the hull than its rays are apart ([`Hull::doubt`]):
-    /// parts that no ray meets.
+    /// Points drawn at random belong to the region, but lie further outside the hull than the spacing of its rays
+    /// explains ([`Hull::doubt`]): parts that no ray meets.
     LeavesOut {
-        /// Size of what is left out, at least (m², m³).
+        /// Least size of the part left out (m², m³).
         size: f64,
     },
 }
@@ -49,9 +49,10 @@ pub struct Hull {
     pub center: Point,
     /// Direction of each ray, of length 1.
     pub directions: Vec<Point>,
-    /// How far each ray runs within the region (m): the point there lies in it, the one a tolerance further does not.
+    /// Length of each ray within the region (m): the point there belongs to it, the point a tolerance further does not.
     pub radii: Vec<f64>,
-    /// Faces between the rays, seen from outside in the positive sense; in the plane the third entry repeats the second.
+    /// Faces between the rays, seen from outside in the positive sense; in the plane the third entry repeats the
+    /// second.
     pub faces: Vec<[u32; 3]>,
     /// Rays that reach the faces of the box within the region, so that more of it may lie outside.
     pub rays_at_bounds: usize,
@@ -59,13 +60,13 @@ pub struct Hull {
     pub tolerance: f64,
     /// Points judged.
     pub points: u64,
-    /// Those that belong to the region.
+    /// Points that belong to the region.
     pub feasible_points: u64,
-    /// Whether the region is star-shaped about the centre.
+    /// Outcome of the search.
     pub status: Status,
     /// Rays that enter the region again after they have left it.
     pub rays_again: usize,
-    /// Size of what they see of it there, which the hull leaves out (m², m³).
+    /// Size of the region that they see after their return, which the hull leaves out (m², m³).
     pub left_out: f64,
     /// Faces between the rays of the refinement before.
     coarse_faces: Vec<[u32; 3]>,
@@ -109,7 +110,7 @@ pub fn solve(
     Ok(hull)
 }
 
-/// Part of the size that may be left out: near an anchor directions change so fast that a ray may leave and enter again.
+/// Fraction of the size that may be left out: near an anchor directions change so fast that a ray may leave and return.
 const SLIVER: f64 = 1e-3;
 
 fn check(region: &Region<'_>, bounds: &Bounds, center: &Point, settings: &Settings) -> Result<(), WorkspaceError> {
@@ -134,7 +135,7 @@ fn check(region: &Region<'_>, bounds: &Bounds, center: &Point, settings: &Settin
     }
 }
 
-/// Most rays: as many as seven halvings of the icosahedron's edges make.
+/// Most rays: the number after seven halvings of the icosahedron's edges.
 pub(crate) const MOST_RAYS: usize = 10 * 4_usize.pow(7) + 2;
 
 impl Hull {
@@ -153,12 +154,12 @@ impl Hull {
         self.dimension
     }
 
-    /// True where the hull bounds the region.
+    /// True if the hull bounds the region.
     pub fn is_star_shaped(&self) -> bool {
         self.status == Status::StarShaped
     }
 
-    /// Changes the status where an audit of the hull has found more of the region outside than rays that miss a boundary
+    /// Changes the status if an audit of the hull has found more of the region outside than rays that miss a boundary
     /// between them explain: more than twice the difference to half as many rays along a line.
     pub fn doubt(&mut self, audit: &Audit) {
         let Some(measure) = self.measure() else { return };
@@ -179,7 +180,7 @@ mod tests {
     use super::sphere::Directions;
     use super::{Hull, Status};
 
-    /// A surface about the origin whose ray in each direction has a length.
+    /// A surface about the origin with `length` the length of its ray in each direction.
     pub(super) fn hull_of(sphere: Directions, length: impl Fn([f64; 3]) -> f64) -> Hull {
         Hull {
             center: [0.0; 3],

@@ -9,7 +9,7 @@ pub(super) struct Rays<'a> {
     pub(super) region: &'a Region<'a>,
     pub(super) center: &'a Point,
     pub(super) directions: &'a [Point],
-    /// How far each ray is followed (m).
+    /// Length to which each ray is followed (m).
     pub(super) lengths: &'a [f64],
 }
 
@@ -21,20 +21,20 @@ pub(super) struct Exits {
     pub(super) reentry: Reentry,
 }
 
-/// Parts of the region that rays met after they had left it.
+/// Parts of the region that rays met after leaving it.
 #[derive(Clone, Debug, Default)]
 pub(super) struct Reentry {
     /// Number of rays that entered it again.
     pub(super) rays: usize,
-    /// Direction of the one that did over the longest way.
+    /// Direction of the ray that did over the longest distance.
     pub(super) direction: Point,
-    /// Size of what they saw there, each for its part of all directions (m², m³).
+    /// Size of these parts, each weighted with the ray's fraction of all directions (m², m³).
     pub(super) size: f64,
 }
 
 impl Rays<'_> {
-    /// The closed form where there is one; else probes along every ray, then bisection between the last probe in the region
-    /// before the first one outside, and that.
+    /// Reads the closed form if the criterion has one; else probes every ray, then bisects between the last probe in
+    /// the region before the first one outside, and that one.
     pub(super) fn search(&self, settings: &Settings) -> Exits {
         let rays = self.directions.iter().zip(self.lengths);
         let spans = rays.map(|(direction, length)| self.region.holds_along(self.center, direction, *length));
@@ -44,7 +44,8 @@ impl Rays<'_> {
         }
     }
 
-    /// Reads the spans of all rays. Each end is judged once: the point at a ray's end lies in the region, rounding or not.
+    /// Reads the spans of all rays. Each end is judged once: the point at a ray's end must lie in the region in
+    /// spite of rounding.
     fn read(&self, spans: &[Spans], tolerance: f64) -> Exits {
         let (mut radii, mut rays_at_bounds, mut reentry, mut longest) = (Vec::new(), 0, Reentry::default(), 0.0);
         for (ray, spans) in spans.iter().enumerate() {
@@ -100,7 +101,7 @@ impl Rays<'_> {
         }
     }
 
-    /// A ray's part of the ring or shell between two radii (m², m³).
+    /// A ray's fraction of the ring or shell between two radii (m², m³).
     fn part(&self, [from, to]: [f64; 2]) -> f64 {
         let whole = match self.region.dimension() {
             2 => std::f64::consts::PI * (to * to - from * from),
@@ -113,7 +114,7 @@ impl Rays<'_> {
         [0, 1, 2].map(|axis| self.center[axis] + radius * self.directions[ray][axis])
     }
 
-    /// Whether each probe lies in the region, the outermost at the end of its ray.
+    /// True for each probe that lies in the region, the outermost at the end of its ray.
     fn probe(&self, probes: usize) -> Vec<bool> {
         let mut points = Vec::with_capacity(self.lengths.len() * probes);
         for (ray, length) in self.lengths.iter().enumerate() {
@@ -124,7 +125,8 @@ impl Rays<'_> {
         holds
     }
 
-    /// Halves all brackets that are longer than the tolerance; tells how many points that took, and how many of them hold.
+    /// Halves all brackets that are longer than the tolerance; returns the counts of points judged and of those that
+    /// hold.
     fn bisect(&self, brackets: &mut [[f64; 2]], tolerance: f64) -> [u64; 2] {
         let (mut judged, mut feasible) = (0, 0);
         let (mut open, mut points, mut holds) = (Vec::new(), Vec::new(), Vec::new());

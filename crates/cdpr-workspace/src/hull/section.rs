@@ -1,14 +1,14 @@
-//! A hull cut level with its centre.
+//! The horizontal section of a hull through its centre.
 
 use super::Hull;
 use crate::Point;
 
-/// A ray that rises less than this counts as level: rounding errors of a refined icosahedron.
+/// Rise below which a ray counts as level: rounding errors of a refined icosahedron.
 const LEVEL: f64 = 1e-12;
 
 impl Hull {
-    /// Section of the surface by the plane through the centre on which the last coordinate is constant: points (m) in order around
-    /// the centre; in a plane the corners themselves.
+    /// Section of the surface by the plane through the centre on which the last coordinate is constant: points (m) in
+    /// order around the centre; in a plane the corners themselves.
     ///
     /// Hulls along the same rays have as many points, each in the same direction from the centre.
     pub fn section(&self) -> Vec<Point> {
@@ -29,7 +29,7 @@ impl Hull {
         points.into_iter().map(|(_, point)| point).collect()
     }
 
-    /// Azimuth and place at which the side between two rays, or one level ray, meets the plane.
+    /// Azimuth and position at which the side between two rays, or one level ray, meets the plane.
     fn crossing(&self, [a, b]: [u32; 2]) -> (f64, Point) {
         let [first, second] = [a, b].map(|ray| self.directions[ray as usize]);
         let fraction = |from: f64, to: f64| if from == to { 0.0 } else { from / (from - to) };
@@ -50,7 +50,7 @@ mod tests {
     use super::super::sphere::icosphere;
     use super::super::tests::hull_of;
 
-    /// A surface about a centre whose ray in each direction has a length.
+    /// A surface about a centre with `length` the length of its ray in each direction.
     fn hull(center: [f64; 3], length: impl Fn([f64; 3]) -> f64) -> Hull {
         Hull { center, ..hull_of(icosphere(3), length) }
     }

@@ -2,26 +2,26 @@
 
 use crate::Bounds;
 
-/// How many rays, and how exact.
+/// Number and accuracy of the rays of a hull.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Settings {
-    /// Rays at least; in space as many as a refined icosahedron has corners: 12, 42, 162, 642, 2562, …
+    /// Least number of rays; in space rounded up to the corners of a refined icosahedron: 12, 42, 162, 642, 2562, …
     pub rays: usize,
-    /// A ray is bisected until its boundary is known to this (m).
+    /// Length of the bracket at which bisection ends (m).
     pub tolerance: f64,
-    /// Points judged along each ray before it is bisected: what is thinner than their distance may be missed.
+    /// Points judged along each ray before it is bisected: parts thinner than their distance may be missed.
     pub probes: usize,
 }
 
 impl Settings {
-    /// 360 rays in a plane, 2562 in space; probes at every 48th part of a ray; a millionth of the box.
+    /// 360 rays in a plane, 2562 in space; 48 probes per ray; a millionth of the box.
     pub fn new(bounds: &Bounds) -> Self {
         let longest = (0..bounds.dimension()).map(|axis| bounds.extent(axis)).fold(0.0, f64::max);
         let rays = if bounds.dimension() == 2 { 360 } else { 2562 };
         Self { rays, tolerance: 1e-6 * longest, probes: 48 }
     }
 
-    /// The same with so many points along all rays at most, as far as 162 rays allow; in a plane 360 rays are never too many.
+    /// The same with at most `points` points along all rays, but no fewer than 162 rays in space; 360 rays in a plane.
     pub fn within(bounds: &Bounds, points: f64) -> Self {
         let usual = Self::new(bounds);
         let fits = |rays: &usize| (rays * usual.probes) as f64 <= points;
@@ -29,7 +29,8 @@ impl Settings {
         Self { rays, ..usual }
     }
 
-    /// As after so many refinements: in a plane twice the rays with each, in space the corners of triangles cut into four.
+    /// Settings after `refinement` refinements: in a plane each doubles the rays, in space each cuts the triangles into
+    /// four.
     #[must_use]
     pub(crate) fn refined(&self, bounds: &Bounds, refinement: u32) -> Self {
         let rays = match bounds.dimension() {

@@ -1,4 +1,4 @@
-//! Directions spread evenly over the circle and the sphere, each refinement containing the one before.
+//! Directions spread evenly over the circle and the sphere; each refinement contains the one before.
 
 use std::collections::HashMap;
 
@@ -8,13 +8,14 @@ use crate::Point;
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Directions {
     pub(super) directions: Vec<Point>,
-    /// Faces between neighbours, seen from outside in the positive sense; in the plane the third entry repeats the second.
+    /// Faces between neighbours, seen from outside in the positive sense; in the plane the third entry repeats the
+    /// second.
     pub(super) faces: Vec<[u32; 3]>,
-    /// Faces between the directions of the refinement before, and how many directions that has; empty where there is none.
+    /// Faces between the directions of the refinement before; empty if there is none.
     pub(super) coarse_faces: Vec<[u32; 3]>,
 }
 
-/// Evenly spread directions in the plane, from the first axis on; every second one is the refinement before.
+/// Evenly spread directions in the plane, starting at the first axis; every second one is the refinement before.
 pub(super) fn circle(count: usize) -> Directions {
     let at = |index: usize| {
         let (sin, cos) = (std::f64::consts::TAU * index as f64 / count as f64).sin_cos();
@@ -31,12 +32,12 @@ pub(super) fn circle(count: usize) -> Directions {
 /// Eight halvings make more than half a million directions.
 const MOST_HALVINGS: u32 = 8;
 
-/// Fewest halvings of the icosahedron's edges with at least so many directions: 12, 42, 162, 642, 2562, …
+/// Fewest halvings of the icosahedron's edges that give at least `count` directions: 12, 42, 162, 642, 2562, …
 pub(super) fn halvings_for(count: usize) -> u32 {
     (0..MOST_HALVINGS).find(|halvings| 10 * 4_usize.pow(*halvings) + 2 >= count).unwrap_or(MOST_HALVINGS)
 }
 
-/// The corners of an icosahedron whose edges were halved so often, pushed out to the sphere.
+/// The corners of an icosahedron after `halvings` halvings of its edges, projected to the sphere.
 pub(super) fn icosphere(halvings: u32) -> Directions {
     let mut sphere = icosahedron();
     for _ in 0..halvings {
@@ -71,7 +72,7 @@ pub(super) fn icosahedron() -> Directions {
     Directions { directions, faces, coarse_faces: Vec::new() }
 }
 
-/// Each face cut into four at the middles of its edges.
+/// Cuts each face into four at the middles of its edges.
 fn halved(sphere: Directions) -> Directions {
     let Directions { mut directions, faces: coarse_faces, .. } = sphere;
     let mut middles: HashMap<(u32, u32), u32> = HashMap::new();

@@ -1,12 +1,13 @@
 //! The file formats of meshes.
 
-/// How a mesh is written.
+/// File format of a mesh.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Format {
     /// Binary STL: triangles only, single precision. CAD and 3-D printing read it; it has no fields.
     Stl,
-    /// glTF 2.0 in one binary file, y up as it demands: single precision, fields as attributes `_MARGIN_N` and so on.
+    /// glTF 2.0 in one binary file, y up as glTF requires: single precision, fields as attributes `_MARGIN_N` and so
+    /// on.
     Glb,
     /// Stanford polygon file, little-endian: double precision, fields as properties of the vertices.
     Ply,
@@ -20,7 +21,7 @@ impl Format {
     /// Every format.
     pub const ALL: [Self; 5] = [Self::Stl, Self::Glb, Self::Ply, Self::Vtk, Self::Csv];
 
-    /// The ending of its files.
+    /// The extension of its files, without the dot.
     pub fn extension(self) -> &'static str {
         match self {
             Self::Stl => "stl",
@@ -31,7 +32,7 @@ impl Format {
         }
     }
 
-    /// The format that an ending stands for, whatever its case; without the dot.
+    /// The format of a file extension, in upper or lower case and without the dot; `None` if there is none.
     pub fn of_extension(extension: &str) -> Option<Self> {
         Self::ALL.into_iter().find(|format| extension.eq_ignore_ascii_case(format.extension()))
     }

@@ -35,7 +35,7 @@ pub(super) fn write(mesh: &Mesh, into: &mut dyn Write) -> io::Result<()> {
 fn buffer(mesh: &Mesh) -> Vec<u8> {
     let numbers = mesh.vertices.iter().flatten().chain(mesh.fields.iter().flat_map(|field| &field.values));
     let indices = mesh.triangles.iter().flatten();
-    // glTF has no infinity: the margin of what nothing could mend becomes the least number there is
+    // glTF has no infinity: a margin of −∞ becomes the lowest number
     let single = |number: &f64| (*number as f32).clamp(f32::MIN, f32::MAX);
     numbers.flat_map(|number| single(number).to_le_bytes()).chain(indices.flat_map(|i| i.to_le_bytes())).collect()
 }
@@ -84,7 +84,7 @@ struct Parts {
 }
 
 impl Parts {
-    /// Describes the next part and returns its number; `more` is appended to its accessor.
+    /// Describes the next part and returns its index; `more` is appended to its accessor.
     fn add(&mut self, count: usize, width: usize, (kind, shape, target): (u32, &str, u32), more: &str) -> usize {
         let number = self.views.matches("\"buffer\"").count();
         let comma = if number == 0 { "" } else { "," };
@@ -103,7 +103,7 @@ impl Parts {
     }
 }
 
-/// Least and largest coordinates, which readers demand of positions, as single precision has them.
+/// Least and largest coordinates in single precision, which readers require of positions.
 fn bounds(mesh: &Mesh) -> String {
     let of = |choose: fn(f32, f32) -> f32, start: f32| {
         let corner = |axis: usize| mesh.vertices.iter().map(|vertex| vertex[axis] as f32).fold(start, choose);
@@ -112,7 +112,7 @@ fn bounds(mesh: &Mesh) -> String {
     format!(",\"min\":{},\"max\":{}", of(f32::min, f32::INFINITY), of(f32::max, f32::NEG_INFINITY))
 }
 
-/// Attributes of an application start with `_`.
+/// Name of an application-defined attribute: it starts with `_`.
 fn attribute(field: &Field) -> String {
     format!("_{}", field.column().to_uppercase())
 }

@@ -1,7 +1,7 @@
 //! Surfaces of triangles, such as the hull of a workspace, with values at their vertices, and the files that show them.
 //!
 //! Corners run counter-clockwise seen from outside, so that normals point outwards and a closed surface has a positive
-//! volume. Coordinates are world, m. Every writer puts the same mesh into the same bytes.
+//! volume. Coordinates are world, m. Every writer gives the same bytes for the same mesh.
 
 mod csv;
 mod format;
@@ -35,7 +35,7 @@ pub struct Mesh {
 pub struct Field {
     /// Name in words: "margin", "limiting cable".
     pub name: String,
-    /// Its unit; empty for a number such as that of a cable, `1` for a ratio.
+    /// Unit; empty for a number such as that of a cable, `1` for a ratio.
     pub unit: String,
     /// One finite value per vertex. Numbers of cables count from 1; 0 stands for none.
     pub values: Vec<f64>,
@@ -44,19 +44,19 @@ pub struct Field {
 impl Mesh {
     /// Volume inside the surface (m³), V = ⅙ Σ a · (b × c) over triangles (divergence theorem).
     ///
-    /// It means something for a closed surface ([`Mesh::is_closed`]) and is negative where corners run clockwise seen from
-    /// outside. NaN where a triangle names a vertex that is not there.
+    /// It is meaningful for a closed surface ([`Mesh::is_closed`]) and negative if corners run clockwise seen from
+    /// outside. NaN if a triangle names a vertex that does not exist.
     pub fn volume(&self) -> f64 {
         let origin = self.origin();
         self.corners().map(|corners| tetrahedron(origin, corners)).sum()
     }
 
-    /// Area of all triangles (m²); NaN where a triangle names a vertex that is not there.
+    /// Area of all triangles (m²); NaN if a triangle names a vertex that does not exist.
     pub fn area(&self) -> f64 {
         self.corners().map(|[a, b, c]| 0.5 * (b - a).cross(&(c - a)).norm()).sum()
     }
 
-    /// Centre of the volume inside the surface (world, m); `None` where the surface holds no volume.
+    /// Centre of the volume inside the surface (world, m); `None` if the surface encloses no volume.
     pub fn centroid(&self) -> Option<[f64; 3]> {
         let origin = self.origin();
         let (mut volume, mut moment, mut size) = (0.0, Vector3::zeros(), 0.0);
@@ -66,13 +66,14 @@ impl Mesh {
             size += part.abs();
             moment += 0.25 * part * corners.iter().map(|corner| corner - origin).sum::<Vector3<f64>>();
         }
-        // below this the volume is the rounding of its parts; NaN holds none either
+        // below this the volume is the rounding of its parts; NaN gives `None` too
         let holds = volume.abs() > 1e-13 * size;
         holds.then(|| (origin + moment / volume).into())
     }
 
-    /// True when every edge joins two triangles that run along it in opposite directions: the surface has no hole and one
+    /// True if every edge joins two triangles that run along it in opposite directions: the surface has no hole and one
     /// outside.
+    ///
     pub fn is_closed(&self) -> bool {
         let mut open: HashMap<(u32, u32), u32> = HashMap::with_capacity(3 * self.triangles.len());
         for &[a, b, c] in &self.triangles {
@@ -83,7 +84,7 @@ impl Mesh {
         !open.is_empty() && open.iter().all(|(&(from, to), &count)| count == 1 && open.contains_key(&(to, from)))
     }
 
-    /// A point near the surface: products of coordinates far from it would lose digits.
+    /// A point near the surface; products of coordinates relative to a distant point would lose digits.
     fn origin(&self) -> Vector3<f64> {
         self.vertices.first().map_or_else(Vector3::zeros, |vertex| Vector3::from(*vertex))
     }
@@ -93,7 +94,7 @@ impl Mesh {
         self.triangles.iter().map(move |triangle| triangle.map(|index| Vector3::from(at(index))))
     }
 
-    /// The normal of each triangle, of length one; zero where it has no area.
+    /// The unit normal of each triangle; zero if it has no area.
     fn normals(&self) -> impl Iterator<Item = Vector3<f64>> {
         self.corners().map(|[a, b, c]| (b - a).cross(&(c - a)).try_normalize(0.0).unwrap_or_default())
     }

@@ -4,7 +4,7 @@ use std::io::{self, Write};
 
 use super::Mesh;
 
-/// Must not start with "solid", by which readers know the text form.
+/// Header; it must not start with "solid", which marks the text form.
 const HEADER: &[u8] = b"binary STL, coordinates in metres, world frame";
 
 pub(super) fn write(mesh: &Mesh, into: &mut dyn Write) -> io::Result<()> {

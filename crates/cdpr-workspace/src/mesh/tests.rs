@@ -1,10 +1,10 @@
-//! Measures against solids known by heart, and files read back byte by byte.
+//! Measures against simple solids, and files read back byte by byte.
 
 use std::io;
 
 use super::*;
 
-/// A box from one corner to the other, outside where it should be, with two fields.
+/// A box from one corner to the other with outward faces and two fields.
 fn cuboid(low: [f64; 3], high: [f64; 3]) -> Mesh {
     let corner = |k: usize| [0, 1, 2].map(|axis| if k >> axis & 1 == 1 { high[axis] } else { low[axis] });
     let faces = [[0, 2, 3, 1], [4, 5, 7, 6], [0, 1, 5, 4], [2, 6, 7, 3], [0, 4, 6, 2], [1, 3, 7, 5]];

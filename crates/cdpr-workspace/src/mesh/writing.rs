@@ -46,7 +46,7 @@ impl Mesh {
     }
 }
 
-/// True for coordinates that single precision can hold too.
+/// True if single precision can hold the coordinate too.
 fn fits(number: f64) -> bool {
     (number as f32).is_finite()
 }

@@ -1,11 +1,11 @@
 //! Cells refined only where the boundary of the region passes, in a plane or in space.
 //!
-//! The corners of large start cells are judged. On every edge of theirs whose ends differ the boundary is found by halving, down
-//! to an edge of the smallest cells; from the cell there it is followed through every face whose corners differ into the next
-//! cell, wherever it leads. All corners of every smallest cell that the boundary passes are judged, and no others near it.
-//! Corners drawn at random, one from each cell of a coarse grid, are seeds besides: what they find is followed in the same way.
-//! Parts of the region, and gaps in it, that fit between all of these and touch nothing else are not found: an
-//! [`Audit`](super::Audit) tells how large they can be.
+//! The corners of large start cells are judged. On each of their edges whose ends differ, bisection finds the boundary
+//! down to an edge of the smallest cells; from the cell there it is followed through every face whose corners differ
+//! into the next cell. All corners of every smallest cell that the boundary passes are judged, and no others near it.
+//! Corners drawn at random, one from each cell of a coarse grid, are further seeds, from which the boundary is followed
+//! in the same way. Parts of the region, and gaps in it, that fit between all of these and touch nothing else are not
+//! found: an [`Audit`](super::Audit) bounds their size.
 
 mod nodes;
 mod outcome;
@@ -18,12 +18,12 @@ pub use outcome::{Outcome, solve};
 use super::grid::cell_count;
 use super::{Bounds, Point, Region, WorkspaceError};
 
-/// How fine the cells are.
+/// Size of the cells.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Settings {
     /// Largest side of the smallest cells, those at the boundary (m).
     pub step: f64,
-    /// How often a start cell is halved to get the smallest ones: start cells have 2^halvings times their sides.
+    /// Number of halvings from a start cell to the smallest cells: start cells have 2^halvings times their sides.
     pub halvings: u32,
 }
 
@@ -34,19 +34,19 @@ impl Settings {
     }
 }
 
-/// More would make start cells larger than any box.
+/// Most halvings; more would make start cells larger than any box.
 const MOST_HALVINGS: u32 = 16;
-/// More corners need more than 2 GB.
+/// Most corners; more need more than 2 GB.
 const MOST_NODES: f64 = 5e9;
 
-/// Looks for a region in a box.
+/// Follows the boundary of a region in a box.
 pub fn search<'a>(region: &'a Region<'a>, bounds: &Bounds, settings: &Settings) -> Result<Octree<'a>, WorkspaceError> {
     let mut octree = Octree::new(region, bounds, settings)?;
     octree.follow_everywhere();
     Ok(octree)
 }
 
-/// Cells that were refined where the boundary of a region passes.
+/// Cells refined where the boundary of a region passes.
 pub struct Octree<'a> {
     region: &'a Region<'a>,
     bounds: Bounds,
@@ -56,7 +56,7 @@ pub struct Octree<'a> {
     /// Side of a start cell in smallest cells.
     start: usize,
     nodes: Nodes,
-    /// A bit for each smallest cell: whether the boundary was followed into it.
+    /// A bit for each smallest cell, set if the boundary was followed into it.
     reached: Vec<u64>,
     /// Smallest cells that the boundary passes.
     cells: Vec<Cell>,
@@ -73,13 +73,13 @@ struct Cell {
     corners: u8,
 }
 
-/// A way along an axis whose ends differ.
+/// An edge along an axis whose ends have different answers.
 #[derive(Clone, Copy, Debug)]
 struct Edge {
-    /// Its lower end.
+    /// Lower end of the edge.
     node: Node,
     axis: usize,
-    /// In smallest cells.
+    /// Length in smallest cells.
     length: usize,
 }
 
@@ -136,7 +136,7 @@ impl<'a> Octree<'a> {
         }
     }
 
-    /// Judges the corners asked for, all at once.
+    /// Judges all requested corners at once.
     fn judge(&mut self) {
         let points: Vec<Point> = self.asked.iter().map(|&node| self.point(node)).collect();
         let mut answers = vec![false; points.len()];
@@ -156,7 +156,7 @@ impl<'a> Octree<'a> {
         self.follow(front);
     }
 
-    /// Follows the boundary from these cells, wherever it leads.
+    /// Follows the boundary from these cells.
     fn follow(&mut self, mut front: Vec<Node>) {
         while !front.is_empty() {
             for &node in &front {
@@ -174,7 +174,7 @@ impl<'a> Octree<'a> {
         }
     }
 
-    /// A smallest cell for each edge of the start cells whose ends differ: where halving finds the boundary.
+    /// A smallest cell on the boundary for each edge of the start cells whose ends differ.
     fn crossed_cells(&mut self) -> Vec<Node> {
         let corners: Vec<Node> = self.start_corners().collect();
         corners.iter().for_each(|&node| self.ask(node));
@@ -191,7 +191,7 @@ impl<'a> Octree<'a> {
         self.cells_at(edges)
     }
 
-    /// A smallest cell for each edge whose ends differ, where halving finds the boundary.
+    /// A smallest cell on the boundary for each edge whose ends differ, found by bisection.
     fn cells_at(&mut self, mut edges: Vec<Edge>) -> Vec<Node> {
         while edges.iter().any(|edge| edge.length > 1) {
             edges.iter().filter(|edge| edge.length > 1).for_each(|edge| self.ask(edge.middle()));
@@ -221,7 +221,7 @@ impl<'a> Octree<'a> {
         })
     }
 
-    /// Adds the cells behind the faces through which the boundary leaves a cell.
+    /// Adds the neighbours beyond the faces through which the boundary leaves a cell.
     fn spread(&mut self, cell: Cell, next: &mut Vec<Node>) {
         let whole = if self.dimension == 3 { u8::MAX } else { 0b1111 };
         for axis in 0..self.dimension {
@@ -240,7 +240,7 @@ impl<'a> Octree<'a> {
         }
     }
 
-    /// Adds a cell the first time that it is reached.
+    /// Adds a cell the first time it is reached.
     fn reach(&mut self, node: Node, cells: &mut Vec<Node>) {
         let index = (node[2] * self.counts[1] + node[1]) * self.counts[0] + node[0];
         let (word, bit) = (&mut self.reached[index / 64], 1 << (index % 64));

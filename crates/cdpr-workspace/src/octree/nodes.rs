@@ -1,9 +1,9 @@
-//! Answers known at the corners of the smallest cells.
+//! Known answers at the corners of the smallest cells.
 
 /// A corner of the smallest cells, counted along each axis.
 pub(super) type Node = [usize; 3];
 
-/// Two bits for each corner: judged or not, and with which answer.
+/// Two bits for each corner: whether it was judged, and the answer.
 pub(super) struct Nodes {
     counts: [usize; 3],
     states: Vec<u8>,
@@ -12,11 +12,11 @@ pub(super) struct Nodes {
 const UNKNOWN: u8 = 0;
 const FAILS: u8 = 1;
 const HOLDS: u8 = 2;
-/// Marked for the next batch.
+/// Requested for the next batch.
 const ASKED: u8 = 3;
 
 impl Nodes {
-    /// So many corners along each axis, none judged.
+    /// Nodes with this number of corners along each axis, none judged.
     pub(super) fn new(counts: [usize; 3]) -> Self {
         let total: usize = counts.iter().product();
         Self { counts, states: vec![0; total.div_ceil(4)] }
@@ -36,7 +36,7 @@ impl Nodes {
         *byte = *byte & !(3 << shift) | state << shift;
     }
 
-    /// True once for each corner: it is to be judged now.
+    /// Requests a corner; true the first time.
     pub(super) fn ask(&mut self, node: Node) -> bool {
         let is_new = self.state(self.index(node)) == UNKNOWN;
         if is_new {
@@ -49,7 +49,7 @@ impl Nodes {
         self.set(node, if holds { HOLDS } else { FAILS });
     }
 
-    /// Bits of the corners that hold of a cell whose corners were judged: corner k lies at (k & 1, k >> 1 & 1, k >> 2).
+    /// Bits of the feasible corners of a cell whose corners were judged: corner k lies at (k & 1, k >> 1 & 1, k >> 2).
     pub(super) fn corners(&self, cell: Node, dimension: usize) -> u8 {
         let (first, row, layer) = (self.index(cell), self.counts[0], self.counts[0] * self.counts[1]);
         let offsets = [0, 1, row, row + 1, layer, layer + 1, layer + row, layer + row + 1];
@@ -57,13 +57,13 @@ impl Nodes {
         corners.map(|(corner, offset)| u8::from(self.state(first + offset) == HOLDS) << corner).sum()
     }
 
-    /// The answer at a corner; where it was not judged that of its neighbours, for both ends of an edge that the boundary
-    /// crosses were judged.
+    /// The answer at a corner; if it was not judged that of its neighbours, since both ends of every edge that the
+    /// boundary crosses were judged.
     pub(super) fn holds(&self, node: Node) -> bool {
         self.state(self.index(self.known_below(node))) == HOLDS
     }
 
-    /// The first corner that was judged on the way down the first axis to its end, then down the next one.
+    /// The first judged corner on the path down the first axis to its end, then down the next one.
     pub(super) fn known_below(&self, mut node: Node) -> Node {
         while !matches!(self.state(self.index(node)), HOLDS | FAILS) {
             match node.iter_mut().find(|place| **place > 0) {

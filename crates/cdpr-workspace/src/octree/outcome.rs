@@ -6,22 +6,22 @@ use crate::{Bounds, Point, Region, WorkspaceError};
 /// Outcome of an octree: size of a region and its error.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Outcome {
-    /// Area (m²) or volume (m³): cells at whose corners the criterion holds, and of those cut by the boundary the share of
-    /// their corners.
+    /// Area (m²) or volume (m³): the cells at whose corners the criterion holds, and of each cell cut by the boundary
+    /// the fraction of its corners at which it holds.
     pub size: f64,
-    /// How far that can be from the truth (m², m³), unless parts or gaps hide between the corners of a cell.
+    /// Bound of the error of the size (m², m³), unless parts or gaps hide between the corners of a cell.
     pub error_bound: f64,
     /// Points judged.
     pub points: u64,
-    /// Those at which the criterion holds.
+    /// Points at which the criterion holds.
     pub feasible_points: u64,
     /// Smallest cells that the boundary passes.
     pub boundary_cells: u64,
     /// Points that a grid with the smallest cells everywhere would judge.
     pub grid_points: u64,
-    /// Sides of the start cells (m): what is thinner may be missed.
+    /// Sides of the start cells (m): thinner parts may be missed.
     pub start_cell: Point,
-    /// True where the region reaches the faces of the box, so that more of it may lie outside.
+    /// True if the region reaches the faces of the box, so that more of it may lie outside.
     pub reaches_bounds: bool,
 }
 
@@ -31,7 +31,7 @@ pub fn solve(region: &Region<'_>, bounds: &Bounds, settings: &Settings) -> Resul
 }
 
 impl Octree<'_> {
-    /// Sums over its cells.
+    /// Sums over the cells of the octree.
     pub fn outcome(&self) -> Outcome {
         let (mixed, corners) = (self.cells.len() as f64, (1 << self.dimension) as f64);
         let fractions: f64 = self.cells.iter().map(|cell| f64::from(cell.corners.count_ones()) / corners).sum();
@@ -57,9 +57,10 @@ impl Octree<'_> {
         }
     }
 
-    /// Lower corners of cells that hold, counted by the boundary alone: of a row of corners those before an edge at which holding
-    /// ends, less those before an edge at which it begins; all of them more where the end of the row holds. The ends of rows make
-    /// a plane, in which rows are counted the same way, and the ends of those a line.
+    /// Number of feasible lower corners of cells, counted from the boundary alone: in a row of corners, those before an
+    /// edge at which feasibility ends, minus those before an edge at which it begins, plus all of them if the end of
+    /// the row is feasible. The ends of rows form a plane, whose rows are counted the same way, and their ends form a
+    /// line.
     fn holding_lower_corners(&self) -> i64 {
         let (mut count, mut factor) = (0, 1);
         for axis in 0..self.dimension {
@@ -76,7 +77,7 @@ impl Octree<'_> {
         count + factor * i64::from(self.nodes.holds(last))
     }
 
-    /// Whether a corner on the faces of the box holds: of a start cell, or of a cell that the boundary passes.
+    /// True if a corner on the faces of the box is feasible: of a start cell, or of a cell that the boundary passes.
     fn reaches_bounds(&self) -> bool {
         let is_at_a_face =
             |node: &[usize; 3]| (0..self.dimension).any(|axis| node[axis] == 0 || node[axis] == self.counts[axis]);

@@ -7,14 +7,14 @@ use super::{Edge, Node, Octree};
 use crate::Point;
 use crate::audit::strata;
 
-/// Seeds, about: one from each cell of a grid of 64 by 64 in a plane, of 16 by 16 by 16 in space.
+/// Approximate number of seeds: one from each cell of a grid of 64 by 64 in a plane, of 16 by 16 by 16 in space.
 const SEEDS: u64 = 4096;
 /// Seed of the random numbers.
 const SEED: u64 = 0x5eed;
 
 impl Octree<'_> {
-    /// A smallest cell at the boundary between each seed that answers otherwise than what was followed says, and the corner that
-    /// answered for it.
+    /// A smallest cell on the boundary between each seed whose answer differs from the answer known for it so far, and
+    /// the corner that gave that answer.
     pub(super) fn seeded_cells(&mut self) -> Vec<Node> {
         let ways: Vec<[Node; 4]> = self.seeds().into_iter().map(|seed| self.way_to(seed)).collect();
         ways.iter().for_each(|way| self.ask(way[3]));
@@ -35,7 +35,7 @@ impl Octree<'_> {
         self.cells_at(edges)
     }
 
-    /// The corner that answers for a seed as yet, and the way from there along the axes.
+    /// The corner whose answer a seed has so far, and the path from there along the axes to the seed.
     fn way_to(&self, seed: Node) -> [Node; 4] {
         let known = self.nodes.known_below(seed);
         [3, 2, 1, 0].map(|kept| [0, 1, 2].map(|axis| if axis < kept { known[axis] } else { seed[axis] }))
@@ -54,9 +54,9 @@ impl Octree<'_> {
         seeds
     }
 
-    /// Whether a point in the box counts as one of the region: the answer of the corner nearest to it.
+    /// True if a point in the box counts as part of the region: the answer of the corner nearest to it.
     ///
-    /// A cell that the boundary passes has as large a part of such points as of its corners.
+    /// In a cell that the boundary passes, the fraction of these points equals the fraction of its corners that hold.
     pub(crate) fn contains(&self, point: &Point) -> bool {
         self.nodes.holds([0, 1, 2].map(|axis| {
             if axis >= self.dimension {

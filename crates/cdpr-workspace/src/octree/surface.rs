@@ -5,7 +5,7 @@ use crate::mesh::Mesh;
 use crate::surface::{self, Lattice};
 
 impl Octree<'_> {
-    /// The boundary as it runs through the smallest cells, closed; in a plane the area.
+    /// The boundary through the smallest cells, closed; in a plane the area.
     pub fn surface(&self) -> Mesh {
         let holds = |node| self.nodes.holds(node);
         let counts = [0, 1, 2].map(|axis| self.counts[axis] + usize::from(axis < self.dimension));

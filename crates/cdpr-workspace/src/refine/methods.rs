@@ -1,4 +1,4 @@
-//! Grid, octree and hull, finer with every refinement.
+//! Grid, octree and hull as searches that can be refined.
 
 use super::RegionSearch;
 use crate::grid::{self, Count, Grid};
@@ -6,29 +6,29 @@ use crate::hull::{self, Hull, Locator};
 use crate::octree::{self, Octree};
 use crate::{Bounds, Point, Region, WorkspaceError};
 
-/// Cells of a box, counted.
+/// A search that counts the cells of a grid.
 #[derive(Clone, Copy)]
 pub struct ByGrid<'a> {
     /// Region to be measured.
     pub region: &'a Region<'a>,
     /// Box that is searched.
     pub bounds: &'a Bounds,
-    /// Largest side of a cell at first (m); a refinement halves it.
+    /// Largest side of a cell at first (m); each refinement halves it.
     pub step: f64,
 }
 
-/// Cells refined at the boundary.
+/// A search that refines cells at the boundary.
 #[derive(Clone, Copy)]
 pub struct ByOctree<'a> {
     /// Region to be measured.
     pub region: &'a Region<'a>,
     /// Box that is searched.
     pub bounds: &'a Bounds,
-    /// Largest side of a smallest cell at first (m); a refinement halves it.
+    /// Largest side of a smallest cell at first (m); each refinement halves it.
     pub step: f64,
 }
 
-/// Rays from a centre.
+/// A search along rays from a centre.
 #[derive(Clone)]
 pub struct ByHull<'a> {
     /// Region to be measured.
@@ -37,14 +37,14 @@ pub struct ByHull<'a> {
     pub bounds: &'a Bounds,
     /// Point from which rays start (m).
     pub center: Point,
-    /// Settings at first; a refinement halves the distance of rays.
+    /// Settings at first; each refinement halves the distance of rays.
     pub settings: hull::Settings,
 }
 
-/// Smallest cells of an octree that takes some 100 MB.
+/// Most cells of an octree, whose answers take some 100 MB.
 const MOST_CELLS: f64 = 3e8;
 
-/// The step after so many refinements (m).
+/// The step after `refinement` refinements (m).
 pub fn step_after(step: f64, refinement: u32) -> f64 {
     step / f64::powi(2.0, refinement as i32)
 }

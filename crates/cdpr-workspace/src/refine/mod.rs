@@ -1,4 +1,4 @@
-//! Finer and finer, until the bound of the error is small.
+//! Refinement of a search until the bound of its error is small.
 
 mod methods;
 
@@ -8,69 +8,70 @@ pub use methods::{ByHull, ByOctree, step_after};
 use super::audit::LOOKS;
 use super::{Audit, Bounds, Point, Region};
 
-/// A way to find a region, ever finer.
+/// A method that finds a region, at any refinement.
 pub trait RegionSearch {
-    /// Finding of a search.
+    /// Result of a search.
     type Found;
-    /// Why it cannot.
+    /// Error of a search.
     type Error;
 
-    /// Searches with so many refinements.
+    /// Searches after `refinement` refinements.
     fn find(&mut self, refinement: u32) -> Result<Self::Found, Self::Error>;
 
-    /// Points that it judges more of with each refinement, as a factor.
+    /// Factor by which the number of judged points grows with each refinement.
     fn growth(&self) -> f64;
 
-    /// Whether memory allows so many refinements.
+    /// True if memory allows this refinement.
     fn allows(&self, refinement: u32) -> bool;
 
-    /// Points judged for this, and its size (m², m³) where it has one.
+    /// Number of points judged for a result, and its size (m², m³) if it has one.
     fn judged(&self, found: &Self::Found) -> (u64, Option<f64>);
 
-    /// Which points count as those of the region.
+    /// Writes for each point whether the result counts it as part of the region.
     fn contains(&self, found: &Self::Found, points: &[Point], answers: &mut [bool]);
 }
 
-/// How small the bound of the error shall be.
+/// Goal of a refinement: the bound of the error and the work allowed.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Goal {
     /// Bound of the error divided by the size.
     pub fraction: f64,
-    /// Poses that may be judged for it, in units of [`Criterion::effort`](super::Criterion::effort).
+    /// Poses that may be judged, in units of [`Criterion::effort`](super::Criterion::effort).
     pub effort: f64,
-    /// False where a step or a number of rays was asked for: then nothing is refined.
+    /// False if the user gave a step or a number of rays: then nothing is refined.
     pub refines: bool,
 }
 
-/// Why it was refined no further.
+/// Reason for which refinement ended.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Stop {
-    /// The bound of the error is as small as wanted.
+    /// The bound of the error has reached the goal.
     Reached,
-    /// The finding is as exact as was asked for.
+    /// The user gave the accuracy.
     AsAsked,
-    /// The finding has no size, and finer it has none either.
+    /// The result has no size, and no refinement would give it one.
     NoSize,
-    /// More would take more poses than the goal allows.
+    /// A further step would take more poses than the goal allows.
     Effort,
 }
 
-/// A finding, and how far it can be from the truth.
+/// Result of a search, with the audit that bounds its error.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Refined<T> {
-    /// Finding of the search.
+    /// Result of the search.
     pub found: T,
-    /// Comparison of the finding with random points.
+    /// Comparison of the result with random points.
     pub audit: Audit,
-    /// Why it was refined no further.
+    /// Reason for which refinement ended.
     pub stop: Stop,
 }
 
 /// Fewest and most points of the first audit.
 const AUDIT: [f64; 2] = [4096.0, 4_194_304.0];
-/// Fewest points where a pose takes so long that the work allowed is less than [`AUDIT`]'s: their bound is wide, and says so.
+/// Fewest points of an audit if a pose takes so long that less work than [`AUDIT`]'s is allowed: the bound is then
+/// wide.
 const SHORT_AUDIT: f64 = 256.0;
-/// Share of a box that may be left open where nothing was found.
+/// Fraction of a box that may be left undecided if nothing was found.
 const EMPTY_SHARE: f64 = 1e-4;
 
 impl Goal {
@@ -79,15 +80,15 @@ impl Goal {
         Self { fraction: 0.01, effort: 2e6, refines: true }
     }
 
-    /// Poses of this region that may be judged.
+    /// Number of poses of this region that may be judged.
     pub fn poses(&self, region: &Region<'_>) -> f64 {
         self.effort / (region.criterion().effort() * region.orientations().len() as f64)
     }
 }
 
-/// Finds a region as finely as the goal wants, and compares what was found with it at random points.
+/// Finds a region as accurately as the goal asks, and compares the result with the region at random points.
 ///
-/// Where chance leaves too much open more points are drawn, else the search is refined.
+/// Draws more points if chance dominates the bound, else refines the search.
 pub fn refine<S: RegionSearch>(
     region: &Region<'_>,
     bounds: &Bounds,
@@ -126,7 +127,7 @@ pub fn refine<S: RegionSearch>(
     }
 }
 
-/// As many as the search judged, or half as many where more than a quarter of the work allowed would go into them.
+/// As many points as the search judged, or half as many if they would take more than a quarter of the work allowed.
 fn first_points(goal: &Goal, allowed: f64, judged: u64) -> f64 {
     let judged = judged as f64;
     let most = if goal.refines { (0.25 * allowed).max(0.5 * judged) } else { judged };

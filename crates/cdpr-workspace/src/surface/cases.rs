@@ -1,18 +1,19 @@
-//! How a surface runs through a cube of which some corners are inside: marching cubes (Lorensen, Cline 1987), its table made
+//! Surface through a cube of which some corners are inside: marching cubes (Lorensen, Cline 1987), with its table made
 //! from one rule.
 //!
-//! On every face the surface cuts off each run of inside corners by itself. Both cubes at a face see the same runs, so that
-//! their pieces meet, and every edge of a piece on a face has its other triangle in the other cube.
+//! On every face the surface cuts off each run of inside corners separately. Both cubes at a face see the same runs, so
+//! that their pieces meet, and every edge of a piece on a face has its other triangle in the other cube.
 
-/// Corner k of a cube lies at (k & 1, k >> 1 & 1, k >> 2) from its lower corner; an edge is its lower corner and its axis.
+/// Corner k of a cube lies at (k & 1, k >> 1 & 1, k >> 2) from its lower corner; an edge is its lower corner and its
+/// axis.
 pub(super) type Edge = (usize, usize);
 
-/// One piece of surface: edges whose crossings it joins, in order, counter-clockwise seen from outside.
+/// One piece of surface: the edges whose crossings it joins, in order, counter-clockwise seen from outside.
 #[derive(Clone, Debug, PartialEq)]
 pub(super) struct Piece {
     pub(super) edges: Vec<Edge>,
-    /// True where triangles from the first crossing do: none of their sides between crossings lies in a face of the cube, where
-    /// the next cube might have the same. Else the piece needs a vertex in its middle.
+    /// True if triangles from the first crossing are enough: none of their sides between crossings lies in a face of
+    /// the cube, where the next cube might have the same side. Else the piece needs a vertex in its middle.
     pub(super) is_fan: bool,
 }
 
@@ -27,7 +28,7 @@ fn edge(a: usize, b: usize) -> Edge {
     (a & b, (a ^ b).trailing_zeros() as usize)
 }
 
-/// Crossings of an edge of a face: on which a run of inside corners begins, and on which it ends.
+/// Crossings of the edges of a face: the edge at which a run of inside corners begins, and the edge at which it ends.
 fn runs(corners: &[usize; 4], is_inside: impl Fn(usize) -> bool) -> Vec<(Edge, Edge)> {
     let at = |place: usize| corners[place % 4];
     let begins = (0..4).filter(|&place| is_inside(at(place)) && !is_inside(at(place + 3)));
@@ -61,7 +62,7 @@ fn pieces(inside: usize) -> Vec<Piece> {
     pieces
 }
 
-/// Turns the edges so that triangles from the first one do, if they can.
+/// Rotates the edges so that triangles from the first one are enough, if possible.
 fn piece(mut edges: Vec<Edge>) -> Piece {
     let count = edges.len();
     let is_on =
@@ -76,14 +77,14 @@ fn piece(mut edges: Vec<Edge>) -> Piece {
     Piece { edges, is_fan: false }
 }
 
-/// A corner of the inside of a square: one of its own, or a crossing of an edge.
+/// A corner of the inside part of a square: one of its own corners, or a crossing of an edge.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) enum Corner {
     Node(usize),
     Crossing(Edge),
 }
 
-/// The inside of a square, convex parts counter-clockwise, by the bits of its inside corners.
+/// The inside part of a square, as convex parts counter-clockwise, by the bits of its inside corners.
 pub(super) fn squares() -> Vec<Vec<Vec<Corner>>> {
     (0..16).map(parts).collect()
 }

@@ -1,22 +1,22 @@
-//! Which cells of a grid hold: what its surface is drawn from.
+//! Feasible cells of a grid, from which its surface is drawn.
 
 use super::{Lattice, of};
 use crate::grid::Grid;
 use crate::mesh::Mesh;
 use crate::{Region, WorkspaceError};
 
-/// One bit for each cell of a grid: whether the criterion holds at its middle.
+/// One bit for each cell of a grid, set if the criterion holds at its middle.
 #[derive(Clone, Debug)]
 pub struct Cells {
     grid: Grid,
     bits: Vec<u64>,
 }
 
-/// More cells need more than 2 GB.
+/// Most cells; more need more than 2 GB.
 const MOST_CELLS: u64 = 16_000_000_000;
 
 impl Cells {
-    /// None of the cells holds as yet; too many for memory are an error.
+    /// Cells of a grid, none feasible yet; an error if they are too many for memory.
     pub fn new(grid: &Grid) -> Result<Self, WorkspaceError> {
         if grid.points() > MOST_CELLS {
             let (bounds, counts) = (grid.bounds(), grid.counts());
@@ -26,7 +26,7 @@ impl Cells {
         Ok(Self { grid: *grid, bits: vec![0; grid.points().div_ceil(64) as usize] })
     }
 
-    /// Takes the answers of a slab, as [`Count::advance`](crate::grid::Count::advance) shows them.
+    /// Records the answers of a slab, as passed by [`Count::advance`](crate::grid::Count::advance).
     pub fn see(&mut self, slab: usize, answers: &[bool]) {
         let first = slab * self.grid.slab_points();
         for index in (0..answers.len()).filter(|&index| answers[index]) {
@@ -34,11 +34,11 @@ impl Cells {
         }
     }
 
-    /// The boundary between the cells that hold and those that do not, at the middles of cells that they were judged at;
-    /// in a plane the area.
+    /// The boundary between feasible and infeasible cells, through the middles at which they were judged; in a plane
+    /// the area.
     ///
-    /// The surface is closed, each part of the region has its own, and all vertices between a cell that holds and one that does
-    /// not lie in the region, less than a thousandth of the distance of two middles from the boundary.
+    /// The surface is closed, each part of the region has its own, and all vertices between a feasible and an
+    /// infeasible cell lie in the region, less than a thousandth of the distance of two middles from the boundary.
     pub fn surface(&self, region: &Region<'_>) -> Mesh {
         let counts = self.grid.counts();
         let holds = |[x, y, z]: [usize; 3]| {

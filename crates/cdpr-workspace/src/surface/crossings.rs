@@ -2,10 +2,10 @@
 
 use crate::{Point, Region};
 
-/// Halvings of an edge: the boundary is known to less than a thousandth of its length.
+/// Halvings of an edge, which locate the boundary to less than a thousandth of its length.
 const HALVINGS: u32 = 10;
 
-/// A vertex before it is placed.
+/// A vertex before its position is computed.
 #[derive(Clone, Copy, Debug)]
 pub(super) enum VertexPosition {
     At(Point),
@@ -13,7 +13,7 @@ pub(super) enum VertexPosition {
     Between(Point, Point),
 }
 
-/// The place of every vertex: of those between two points the last one inside.
+/// The position of every vertex (m); between two points, the last point inside.
 pub(super) fn places(region: &Region<'_>, vertices: &[VertexPosition]) -> Vec<Point> {
     let mut open: Vec<(usize, Point)> = Vec::new();
     let mut points: Vec<Point> = Vec::with_capacity(vertices.len());

@@ -1,8 +1,8 @@
 //! The boundary of a region that was sampled on a lattice, as a mesh.
 //!
-//! Between neighbouring nodes of which one lies inside the boundary is found by bisection of the verdict itself, which is exact
-//! where margins jump, and cheaper than a margin. Whatever lies outside the box counts as outside: where the region reaches the
-//! faces of the box the surface is the face.
+//! Between neighbouring nodes of which one lies inside, the boundary is found by bisection of the verdict itself, which
+//! is exact at jumps of the margin and cheaper than a margin. Positions outside the box count as outside: where the
+//! region reaches the faces of the box, the surface is the face.
 
 mod cases;
 mod cells;
@@ -20,20 +20,21 @@ use super::{Bounds, Point, Region, Verdict};
 /// A node counted along each axis.
 pub(super) type Node = [usize; 3];
 
-/// Samples at the nodes of a lattice, and a layer around them of nodes that are outside.
+/// Samples at the nodes of a lattice, surrounded by a layer of outside nodes.
 pub(super) struct Lattice<'a> {
     pub(super) region: &'a Region<'a>,
     pub(super) bounds: &'a Bounds,
     /// Nodes along each axis; 1 across a plane.
     pub(super) counts: [usize; 3],
-    /// Distance of the first node from the lower face of the box, in steps: half a step for middles of cells, none for corners.
+    /// Distance of the first node from the lower face of the box, in steps: half a step for middles of cells, 0 for
+    /// corners.
     pub(super) inset: f64,
-    /// Whether a node belongs to the region.
+    /// Returns whether a node belongs to the region.
     pub(super) holds: &'a dyn Fn(Node) -> bool,
 }
 
 impl Lattice<'_> {
-    /// Whether a node belongs to the region, counted from the layer around the lattice.
+    /// True if a node belongs to the region; nodes are counted from the layer around the lattice.
     fn is_inside(&self, node: Node) -> bool {
         let mut place = node;
         for axis in 0..self.bounds.dimension() {
@@ -45,7 +46,7 @@ impl Lattice<'_> {
         (self.holds)(place)
     }
 
-    /// Position of a node (m), for those of the layer on the faces of the box.
+    /// Position of a node (m); nodes of the layer lie on the faces of the box.
     fn point(&self, node: Node) -> Point {
         let mut point = [0.0; 3];
         for axis in 0..self.bounds.dimension() {
@@ -93,9 +94,9 @@ impl Lattice<'_> {
     }
 }
 
-/// The boundary of the region as it runs through these cubes; in a plane the area itself.
+/// The boundary of the region through these cubes; in a plane the area itself.
 ///
-/// A cube may be named more than once.
+/// A cube may occur more than once.
 pub(super) fn of(lattice: &Lattice<'_>, cubes: impl Iterator<Item = Node>) -> Mesh {
     let mut drawing = Drawing { lattice, vertices: HashMap::new(), crossings: Vec::new(), triangles: Vec::new() };
     let middles = match lattice.bounds.dimension() {
@@ -113,7 +114,7 @@ struct Drawing<'a> {
     triangles: Vec<[u32; 3]>,
 }
 
-/// In [`Drawing::vertices`] what stands for the axis where a vertex lies on a node.
+/// Stands for the axis in [`Drawing::vertices`] if a vertex lies on a node.
 const AT_NODE: usize = 3;
 
 impl Drawing<'_> {
@@ -151,7 +152,8 @@ impl Drawing<'_> {
         (0..corners).map(|corner| usize::from(self.lattice.is_inside(corner_of(cube, corner))) << corner).sum()
     }
 
-    /// Triangles of all cubes, and the pieces whose middle is a vertex: by their corners, after all crossings.
+    /// Adds the triangles of all cubes; returns the pieces with a vertex in the middle, by their corners, after all
+    /// crossings.
     fn surface(&mut self, cubes: impl Iterator<Item = Node>) -> Vec<Vec<u32>> {
         let (cases, mut middles, mut seen) = (cases::cubes(), Vec::new(), std::collections::HashSet::new());
         for cube in cubes {
@@ -170,7 +172,7 @@ impl Drawing<'_> {
         middles
     }
 
-    /// Triangles of the area in all squares.
+    /// Adds the triangles of the area in all squares.
     fn area(&mut self, squares: impl Iterator<Item = Node>) -> Vec<Vec<u32>> {
         let cases = cases::squares();
         for square in squares {
@@ -186,7 +188,7 @@ impl Drawing<'_> {
         Vec::new()
     }
 
-    /// Places all vertices and says what holds there.
+    /// Computes the positions of all vertices and the fields there.
     fn finish(mut self, middles: Vec<Vec<u32>>) -> Mesh {
         let region = self.lattice.region;
         let mut points = crossings::places(region, &self.crossings);
@@ -209,7 +211,7 @@ fn corner_of(cube: Node, corner: usize) -> Node {
     [0, 1, 2].map(|axis| cube[axis] + (corner >> axis & 1))
 }
 
-/// Margin of the criterion at each point, and the number of the cable that limits there.
+/// Margin of the criterion at each point, and the number of the limiting cable.
 pub(super) fn fields(region: &Region<'_>, points: &[Point]) -> Vec<Field> {
     #[cfg(feature = "parallel")]
     let verdicts: Vec<Verdict> = {
@@ -218,7 +220,7 @@ pub(super) fn fields(region: &Region<'_>, points: &[Point]) -> Vec<Field> {
     };
     #[cfg(not(feature = "parallel"))]
     let verdicts: Vec<Verdict> = points.iter().map(|point| region.judge(point)).collect();
-    // what no change would mend has no finite margin
+    // a pose that no change can mend has no finite margin
     let finite = |margin: f64| margin.clamp(-f64::MAX, f64::MAX);
     let cable = |cable: Option<usize>| cable.map_or(0.0, |cable| (cable + 1) as f64);
     vec![

@@ -5,7 +5,7 @@ use std::collections::HashSet;
 /// A vector of up to six rows, filled up with zeros.
 pub(super) type Rows = [f64; 6];
 
-/// Part of a generator that may stick out of a hyperplane which contains it.
+/// Fraction of a generator that may stick out of a hyperplane that contains it.
 const FLAT: f64 = 1e-9;
 
 /// The hyperplanes through the origin that are spanned by generators.
@@ -38,7 +38,7 @@ pub(super) fn moved(mut a: Rows, factor: f64, b: &Rows) -> Rows {
     a
 }
 
-/// Component of a vector orthogonal to orthonormal ones; taken twice, so that rounding does not add up.
+/// Component of a vector orthogonal to orthonormal ones; computed twice, so that rounding does not accumulate.
 pub(super) fn remainder(vector: &Rows, basis: &[Rows]) -> Rows {
     let mut rest = *vector;
     for _ in 0..2 {
@@ -67,7 +67,7 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    /// Tries every further generator, from number `first`, beside the `depth` ones that the basis spans.
+    /// Tries every further generator from index `first`, in addition to the `depth` generators that the basis spans.
     fn extend(&mut self, first: usize, depth: usize) {
         if depth + 1 >= self.dimension {
             return self.close(depth);
@@ -76,7 +76,7 @@ impl Search<'_> {
         for index in first..last.min(self.units.len()) {
             let rest = remainder(&self.units[index], &self.basis[..depth]);
             let length = norm(&rest);
-            // dependent on the ones before: any hyperplane through it is found without it
+            // dependent on earlier ones: any hyperplane through it is found without it
             if length > FLAT {
                 self.basis[depth] = rest.map(|row| row / length);
                 self.extend(index + 1, depth + 1);
@@ -97,7 +97,7 @@ impl Search<'_> {
         }
     }
 
-    /// Unit normal to the basis: the component orthogonal to it of the axis that it covers least.
+    /// Unit normal to the basis: the orthogonal component of the axis that the basis covers least.
     fn normal(&self, depth: usize) -> Option<Rows> {
         let basis = &self.basis[..depth];
         let covered = |axis: usize| basis.iter().map(|unit| unit[axis] * unit[axis]).sum::<f64>();

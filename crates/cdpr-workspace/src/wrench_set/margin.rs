@@ -1,44 +1,44 @@
-//! How far a required set lies inside the available one, and which cables end it.
+//! Distance of a required set from the boundary of the available one, and the cables that limit it.
 
 use super::facets::{Rows, dot, norm};
 use super::required::{RequiredSet, scaled};
 use super::zonotope::{Facet, Zonotope};
 
-/// Part of the set's size that is rounding.
+/// Fraction of the set's size that is rounding.
 const ROUNDING: f64 = 1e-11;
 
 /// One facet of the available wrench set: normal · w ≤ offset.
 #[derive(Clone, Debug, PartialEq)]
 pub struct HalfSpace {
-    /// Outward normal in the rows of the structure matrix. With the rows of moments times their length scale it has the length
-    /// 1, so that offset − normal · w is a distance in newtons.
+    /// Outward normal in the rows of the structure matrix. With the rows of moments times their length scale it has
+    /// length 1, so that offset − normal · w is a distance in newtons.
     pub normal: Vec<f64>,
-    /// N.
+    /// Offset (N).
     pub offset: f64,
-    /// Cables (from 0) that stand at their largest tension everywhere on the facet.
+    /// Cables (from 0) at their largest tension everywhere on the facet.
     pub at_largest: Vec<usize>,
-    /// Cables (from 0) that stand at their least tension everywhere on the facet.
+    /// Cables (from 0) at their least tension everywhere on the facet.
     pub at_least: Vec<usize>,
 }
 
 /// The capacity margin of a required set.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Margin {
-    /// Distance from the set to the nearest facet (N), below zero when it sticks out. From the inside it is the radius of the
-    /// largest ball that can be added to every wrench of the set; from the outside it is what the worst facet lacks, which is at most
-    /// the distance to the available set.
+    /// Distance from the set to the nearest facet (N), negative if it sticks out. From the inside it is the radius of
+    /// the largest ball that can be added to every wrench of the set; from the outside it is minus the excess over the
+    /// worst facet, which is at most the distance to the available set.
     pub distance: f64,
     /// The wrench of the required set nearest to that facet, or furthest beyond it (N, N·m).
     pub wrench: Vec<f64>,
     /// Half-space of that facet.
     pub half_space: HalfSpace,
-    /// The cable (from 0) that pulls most along the facet's normal, by range: the first to change for more margin. None where no
-    /// cable acts along it.
+    /// The cable (from 0) with the largest range along the facet's normal: the first to change for more margin. `None`
+    /// if no cable acts along it.
     pub cable: Option<usize>,
 }
 
 impl Zonotope {
-    /// All half-spaces: the set is exactly where all of them hold.
+    /// All half-spaces, whose intersection is the set.
     pub fn half_spaces(&self) -> Vec<HalfSpace> {
         self.facets.iter().map(|facet| self.half_space(facet)).collect()
     }
@@ -56,7 +56,7 @@ impl Zonotope {
         }
     }
 
-    /// A normal of rows in newtons for rows in N and N·m.
+    /// A normal for rows in N and N·m, from one for rows in newtons.
     fn outward(&self, normal: &Rows) -> Vec<f64> {
         self.row_lengths.iter().zip(normal).map(|(length, row)| row / length).collect()
     }
@@ -66,9 +66,9 @@ impl Zonotope {
         ROUNDING * (norm(&self.center) + self.generators.iter().map(norm).sum::<f64>())
     }
 
-    /// True when tensions within limits balance this wrench (N, N·m), to rounding.
+    /// True if tensions within limits balance this wrench (N, N·m), to rounding.
     ///
-    /// A wrench of another length than the structure matrix has rows, or with a number that is not finite, is in no set.
+    /// False for a wrench whose length differs from the number of rows, or with a number that is not finite.
     pub fn contains(&self, wrench: &[f64]) -> bool {
         if wrench.len() != self.row_lengths.len() || !wrench.iter().all(|row| row.is_finite()) {
             return false;
@@ -77,7 +77,7 @@ impl Zonotope {
         self.facets.iter().all(|facet| dot(&facet.normal, &w) <= facet.offset + tolerance)
     }
 
-    /// True when every wrench of the required set is available, to rounding.
+    /// True if every wrench of the required set is available, to rounding.
     pub(crate) fn contains_set(&self, required: &RequiredSet) -> bool {
         self.distance(required) >= 0.0
     }
@@ -87,7 +87,7 @@ impl Zonotope {
         self.nearest(required).map_or(f64::NEG_INFINITY, |(distance, _)| distance)
     }
 
-    /// The capacity margin of a required set; `None` for one that does not fit the rows (see [`RequiredSet::fits`]).
+    /// The capacity margin of a required set; `None` if it does not fit the rows (see [`RequiredSet::fits`]).
     pub fn margin(&self, required: &RequiredSet) -> Option<Margin> {
         let (distance, facet) = self.nearest(required)?;
         let half_space = self.half_space(&facet);
@@ -97,8 +97,8 @@ impl Zonotope {
         Some(Margin { distance, wrench: required.furthest(&half_space.normal), half_space, cable })
     }
 
-    /// Distance and facet of the least margin. Distances that are rounding count as zero, so that a set without thickness contains
-    /// its own wrenches.
+    /// Distance and facet of the least margin. Distances within rounding count as zero, so that a set without thickness
+    /// contains its own wrenches.
     fn nearest(&self, required: &RequiredSet) -> Option<(f64, Facet)> {
         let rows = self.row_lengths.len();
         if !required.fits(rows) {

@@ -8,18 +8,19 @@ use cdpr_model::geometry::{Pose, Wrench};
 use cdpr_model::model::Model;
 use cdpr_model::robot::Robot;
 
-/// Payload of the cables: masses, and the accelerations that they are to take.
+/// Payload of the cables: masses, and the accelerations that the cables must be able to give them.
 ///
-/// Of a mass m with the acceleration a of its centre of mass and the angular acceleration α the cables feel the external wrench
-/// \[m (g − a); R c × m (g − a) − R I Rᵀ α\] (Newton and Euler at rest: no velocity, so no gyroscopic moment). It is linear in m, a
-/// and α, so a range of masses in boxes of accelerations makes the convex hull of two parallelotopes.
+/// For a mass m with the acceleration a of its centre of mass and the angular acceleration α the cables feel the
+/// external wrench \[m (g − a); R c × m (g − a) − R I Rᵀ α\] (Newton and Euler at rest: no velocity, so no gyroscopic
+/// moment). It is linear in m, a and α, so a range of masses in boxes of accelerations makes the convex hull of two
+/// parallelotopes.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Payload {
     /// Least and largest mass m (kg), all that the cables carry: platform and load.
     pub mass: [f64; 2],
     /// Centre of mass c (platform frame, m).
     pub center_of_mass: Vector3<f64>,
-    /// Inertia I about the centre of mass at the largest mass (platform axes, kg·m²); it goes with the mass.
+    /// Inertia I about the centre of mass at the largest mass (platform axes, kg·m²), proportional to the mass.
     pub inertia: Matrix3<f64>,
     /// Gravity g (world, m/s²).
     pub gravity: Vector3<f64>,
@@ -31,18 +32,18 @@ pub struct Payload {
     pub constant: Wrench,
 }
 
-/// A payload that cannot be.
+/// A payload that is incomplete or invalid.
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum PayloadError {
-    /// A key that the payload needs.
+    /// A key that the payload needs is missing.
     #[error("the payload of \"{robot}\" is unknown: its file lacks {key}; add it{hint}")]
     MissingKey {
         /// Name of the robot.
         robot: String,
         /// The key with its table.
         key: &'static str,
-        /// Other input that stands for it, in words.
+        /// Alternative input, in words.
         hint: &'static str,
     },
     /// Masses that are not a range.
@@ -56,11 +57,11 @@ pub enum PayloadError {
     /// A largest acceleration below zero, or not finite.
     #[error("the largest {what} along an axis is {value}; it is a finite number of 0 or more ({unit})")]
     Acceleration {
-        /// Which acceleration.
+        /// Name of the acceleration.
         what: &'static str,
         /// Value given, in `unit`.
         value: f64,
-        /// Its unit.
+        /// Unit of the value.
         unit: &'static str,
     },
 }
@@ -68,8 +69,8 @@ pub enum PayloadError {
 impl Payload {
     /// The platform of a robot's file, at rest, with this range of masses or else the file's mass (kg).
     ///
-    /// Centre of mass and inertia are asked for as far as the platform turns, the inertia only for angular accelerations, which
-    /// are set here about every axis that the pattern turns about, as are accelerations (m/s², rad/s²).
+    /// Centre of mass and inertia are required as far as the platform turns, the inertia only for angular
+    /// accelerations. The accelerations (m/s², rad/s²) apply along and about every axis of the pattern.
     pub(crate) fn of(
         robot: &Robot,
         mass: Option<[f64; 2]>,
@@ -107,7 +108,7 @@ impl Payload {
         Ok(payload)
     }
 
-    /// Refuses what is no payload.
+    /// Checks masses and accelerations.
     pub(crate) fn check(&self) -> Result<(), PayloadError> {
         let [least, largest] = self.mass;
         if !(0.0 <= least && least <= largest && largest.is_finite()) {
@@ -126,7 +127,7 @@ impl Payload {
 
     /// The external wrenches at a pose, in the rows of a model's structure matrix.
     ///
-    /// Accelerations across the plane of a planar robot, and turns that a pattern does not have, change nothing.
+    /// Accelerations across the plane of a planar robot, and turns that a pattern does not have, have no effect.
     pub(crate) fn required(&self, model: &Model, pose: &Pose) -> RequiredSet {
         let [least, largest] = self.mass;
         match least == largest {
@@ -168,7 +169,7 @@ mod tests {
     use super::*;
     use cdpr_model::model::Composition;
 
-    /// A mass on a point platform, by hand: weight, weight with an acceleration, and half the mass.
+    /// A mass on a point platform, computed by hand: weight, weight with an acceleration, and half the mass.
     #[test]
     fn a_payload_asks_for_what_newton_says() {
         let robot = Robot::builtin("planar-example").unwrap();
@@ -188,7 +189,8 @@ mod tests {
         assert!((payload.required(&model, &Pose::identity()).support(&[0.0, -1.0]) - 1000.0).abs() < 1e-9);
     }
 
-    /// Newton and Euler about the platform origin: the wrench of the weight, less the momentum's change computed by hand.
+    /// Newton and Euler about the platform origin: the wrench of the weight minus the change of momentum, computed by
+    /// hand.
     #[test]
     fn a_payload_with_inertia_asks_for_newton_and_euler_at_every_corner() {
         let robot = Robot::builtin("cogiro").unwrap();

@@ -1,4 +1,4 @@
-//! The wrenches that a task asks for.
+//! The wrenches that a task requires.
 
 use super::facets::Rows;
 
@@ -8,15 +8,15 @@ use super::facets::Rows;
 pub enum RequiredSet {
     /// One wrench.
     Single(Vec<f64>),
-    /// All wrenches that differ from the middle by no more than this in each row.
+    /// All wrenches that differ from the middle by at most the half extent in each row.
     Box {
         /// Middle of the box.
         center: Vec<f64>,
         /// Largest difference per row, 0 or more.
         half_extent: Vec<f64>,
     },
-    /// An ellipsoid with its axes along the rows: Σ ((w − center)/radius)² ≤ 1. A ball of forces and moments has the radius r in
-    /// the rows of forces and r times a length in those of moments.
+    /// An ellipsoid with its axes along the rows: Σ ((w − center)/radius)² ≤ 1. A ball of forces and moments has the
+    /// radius r in the rows of forces and r times a length in those of moments.
     Ball {
         /// Middle of the ellipsoid.
         center: Vec<f64>,
@@ -32,14 +32,14 @@ pub enum RequiredSet {
 /// The points center + Σ sₖ edgeₖ with all |sₖ| ≤ 1.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Parallelotope {
-    /// Its middle.
+    /// Middle of the parallelotope.
     pub center: Vec<f64>,
-    /// Half of its edges.
+    /// Half edges of the parallelotope.
     pub edges: Vec<Vec<f64>>,
 }
 
 impl RequiredSet {
-    /// True when each part has one number per row, all finite, with no extent below zero, and there is a point at all.
+    /// True if each part has one number per row, all finite, with no negative extent, and there is at least one point.
     pub(crate) fn fits(&self, rows: usize) -> bool {
         let finite = |list: &[f64]| list.len() == rows && list.iter().all(|number| number.is_finite());
         let extent = |list: &[f64]| finite(list) && list.iter().all(|&number| number >= 0.0);
@@ -56,7 +56,7 @@ impl RequiredSet {
         }
     }
 
-    /// The same set about another middle: every wrench plus this one.
+    /// The set translated by a wrench.
     #[must_use]
     pub(crate) fn shifted(&self, by: &[f64]) -> Self {
         let sum = |list: &Vec<f64>| list.iter().zip(by).map(|(a, b)| a + b).collect::<Vec<f64>>();
@@ -74,7 +74,7 @@ impl RequiredSet {
         }
     }
 
-    /// max normal · w over the set: how far it reaches along a direction.
+    /// max normal · w over the set: its support along a direction.
     pub(crate) fn support(&self, normal: &[f64]) -> f64 {
         let along = |list: &[f64]| list.iter().zip(normal).map(|(a, b)| a * b).sum::<f64>();
         match self {
@@ -92,7 +92,7 @@ impl RequiredSet {
         }
     }
 
-    /// A wrench of the set that reaches furthest along a direction.
+    /// A wrench of the set that is furthest along a direction.
     pub(crate) fn furthest(&self, normal: &[f64]) -> Vec<f64> {
         let along = |list: &[f64]| list.iter().zip(normal).map(|(a, b)| a * b).sum::<f64>();
         match self {

@@ -1,4 +1,5 @@
-//! Sets known by hand, and laws of all sets; the comparison with another solver is in `tests/library/wrench_set_oracle.rs`.
+//! Sets known by hand, and laws of all sets; the comparison with another solver is in
+//! `tests/library/wrench_set_oracle.rs`.
 
 use nalgebra::{DMatrix, DVector};
 use rand::{RngExt, SeedableRng};
@@ -70,7 +71,8 @@ fn required_sets_reach_as_far_as_their_furthest_point() {
     }
 }
 
-/// Generic generators: as many facets and corners as hyperplanes through generators, and cells between them.
+/// Generic generators: numbers of facets and corners from the hyperplanes through generators and the cells between
+/// them.
 #[test]
 fn facets_and_corners_have_the_numbers_of_combinatorics() {
     let mut rng = ChaCha8Rng::seed_from_u64(61);
@@ -83,7 +85,8 @@ fn facets_and_corners_have_the_numbers_of_combinatorics() {
     }
 }
 
-/// Corners by half-spaces and half-spaces by corners, in sets that are generic, flat, with parallel cables and cables without range.
+/// Corners from half-spaces and half-spaces from corners, in sets that are generic, flat, with parallel cables and with
+/// cables without range.
 #[test]
 fn corners_and_half_spaces_describe_the_same_set() {
     let mut rng = ChaCha8Rng::seed_from_u64(62);
@@ -129,7 +132,7 @@ fn corners_and_half_spaces_describe_the_same_set() {
     }
 }
 
-/// From the outside too where a facet is nearest; here along facet normals, and by bisecting the size of an added ball.
+/// Also from the outside if a facet is nearest; here along facet normals, and by bisecting the size of an added ball.
 #[test]
 fn the_margin_is_the_ball_that_can_be_added() {
     let mut rng = ChaCha8Rng::seed_from_u64(63);
@@ -186,7 +189,7 @@ fn sets_scale_with_tensions_and_do_not_depend_on_units() {
     }
 }
 
-/// A cable more whose least tension is zero can stay slack: nothing is lost.
+/// A further cable whose least tension is zero can stay slack: the set does not shrink.
 #[test]
 fn a_cable_that_may_be_slack_takes_nothing_away() {
     let mut rng = ChaCha8Rng::seed_from_u64(65);

@@ -1,11 +1,11 @@
-//! The corners of a zonotope: which cables stand at which limit there.
+//! The corners of a zonotope, with the limit of each cable there.
 
 use std::collections::HashSet;
 
 use super::facets::{Rows, dot, hyperplanes, moved};
 use super::zonotope::{Zonotope, unit};
 
-/// A corner of the available wrench set, with the tensions that make it.
+/// A corner of the available wrench set, with the tensions that give it.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Vertex {
     /// The wrench (N, N·m).
@@ -17,8 +17,8 @@ pub struct Vertex {
 impl Zonotope {
     /// All corners, each once.
     ///
-    /// A facet with no more generators than dimensions is a parallelotope, whose corners are all choices of limits of its
-    /// cables; others are zonotopes of one dimension less.
+    /// A facet with no more generators than dimensions is a parallelotope, whose corners are all choices of limits of
+    /// its cables; others are zonotopes of one dimension less.
     pub fn vertices(&self) -> Vec<Vertex> {
         let units: Vec<Rows> = self.generators.iter().map(|generator| unit(&self.along_axes(generator))).collect();
         let numbered: Vec<(u64, Rows)> = units.iter().enumerate().map(|(index, unit)| (1 << index, *unit)).collect();
@@ -39,11 +39,11 @@ impl Zonotope {
     }
 }
 
-/// The generators at + in each corner, as sums of their bits, of unit generators in the first rows of a space that they span.
+/// The generators with sign + in each corner, as sums of their bits; unit generators span the first `dimension` rows.
 fn corners(generators: &[(u64, Rows)], dimension: usize) -> HashSet<u64> {
     let mut found = HashSet::new();
     if dimension == 0 {
-        // parts of a facet too small to tell a direction: their cables may stand anywhere
+        // parts of a facet too small to have a direction: their cables may have any tension
         found.insert(0);
         return found;
     }

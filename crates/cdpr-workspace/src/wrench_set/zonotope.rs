@@ -7,16 +7,17 @@ use super::facets::{Rows, dot, hyperplanes, moved, norm, remainder};
 use cdpr_model::model::Model;
 use cdpr_model::tension::Limits;
 
-/// Most cables of a set: facets grow with the fifth power of their number, and 24 cables take a tenth of a second a pose.
+/// Most cables of a set: facets grow with the fifth power of their number, and 24 cables take a tenth of a second per
+/// pose.
 pub const CABLE_LIMIT: usize = 24;
 
-/// A generator this small beside the largest adds nothing but rounding to the dimension of the set.
+/// A generator this small relative to the largest adds only rounding to the dimension of the set.
 const LOST: f64 = 1e-10;
 
 /// The available wrench set {−Aᵀ f | f_min ≤ f ≤ f_max} by its generators and facets.
 ///
-/// Rows are those of the structure matrix. Inside, each row is divided by its length (see `row_lengths`), so that all are
-/// forces and distances are in newtons.
+/// Rows are those of the structure matrix. Inside, each row is divided by its length (see `row_lengths`), so that all
+/// are forces and distances are in newtons.
 #[derive(Clone, Debug)]
 pub struct Zonotope {
     /// −Aᵀ ½(f_min + f_max), rows divided by their lengths (N).
@@ -25,7 +26,7 @@ pub struct Zonotope {
     pub(super) generators: Vec<Rows>,
     /// The cable (from 0) of each generator.
     pub(super) cables: Vec<usize>,
-    /// Orthonormal rows of the space that the generators span, then those of the rest.
+    /// Orthonormal rows of the space that the generators span, then those of its complement.
     pub(super) axes: Vec<Rows>,
     /// Dimension of the set.
     pub(super) dimension: usize,
@@ -39,9 +40,9 @@ pub struct Zonotope {
 pub(super) struct Facet {
     /// Unit normal, outwards.
     pub(super) normal: Rows,
-    /// N.
+    /// Offset (N).
     pub(super) offset: f64,
-    /// Bit i: generator i stands at + on this facet.
+    /// Bit i: generator i has sign + on this facet.
     pub(super) plus: u64,
     /// Bit i: generator i lies in the facet and may have any value.
     pub(super) free: u64,
@@ -51,7 +52,7 @@ pub(super) struct Facet {
 #[derive(Clone, Debug, PartialEq, Error)]
 #[non_exhaustive]
 pub enum WrenchSetError {
-    /// More cables than facets can be found for.
+    /// More cables than [`CABLE_LIMIT`].
     #[error("{found} cables; wrench sets are made for at most {CABLE_LIMIT}")]
     TooManyCables {
         /// Number of cables.
@@ -63,20 +64,20 @@ pub enum WrenchSetError {
         /// Number of rows.
         found: usize,
     },
-    /// Numbers that do not go together.
+    /// Counts that do not match.
     #[error("expected {expected} {what}, found {found}")]
     Count {
         /// Quantity counted, in words.
         what: &'static str,
-        /// How many there should be.
+        /// Expected count.
         expected: usize,
-        /// How many there are.
+        /// Count found.
         found: usize,
     },
     /// NaN, infinite, or a length that is not above zero.
     #[error("the {what} is {value}; {rule}")]
     Number {
-        /// Which number.
+        /// Name of the number.
         what: &'static str,
         /// Value given.
         value: f64,
@@ -90,8 +91,8 @@ pub(crate) fn most_hyperplanes(cables: usize, dimension: usize) -> f64 {
     (1..dimension.min(cables + 1)).map(|k| (cables + 1 - k) as f64 / k as f64).product()
 }
 
-/// By what each row of a model's structure matrix is divided so that all are forces: 1 for forces, the length scale (m) for
-/// moments.
+/// Divisor of each row of a model's structure matrix that turns all rows into forces: 1 for forces, the length scale
+/// (m) for moments.
 pub fn row_lengths(model: &Model, length_scale: f64) -> Vec<f64> {
     let translations = model.robot().motion_pattern.translations();
     (0..model.dof()).map(|row| if row < translations { 1.0 } else { length_scale }).collect()
@@ -100,9 +101,9 @@ pub fn row_lengths(model: &Model, length_scale: f64) -> Vec<f64> {
 impl Zonotope {
     /// The wrenches (rows of the structure matrix, N and N·m) that tensions within limits balance, −Aᵀ f.
     ///
-    /// `row_lengths` are the lengths that moments are divided by before they are compared with forces, see
-    /// [`row_lengths`](row_lengths()). Any rank and any number of cables up to [`CABLE_LIMIT`] will do: fewer cables than rows,
-    /// or cables without a range of tensions, make a flat set.
+    /// `row_lengths` are the lengths by which moments are divided before they are compared with forces, see
+    /// [`row_lengths`](row_lengths()). Any rank and any number of cables up to [`CABLE_LIMIT`] is allowed: fewer cables
+    /// than rows, or cables without a range of tensions, make a flat set.
     pub fn available(
         structure_matrix: &DMatrix<f64>,
         limits: &Limits,
@@ -140,7 +141,7 @@ impl Zonotope {
         Ok(set)
     }
 
-    /// Leaves out generators too small to tell their direction beside the others.
+    /// Removes generators too small to have a direction relative to the others.
     fn drop_lost(&mut self) {
         let largest = self.generators.iter().map(norm).fold(0.0, f64::max);
         let keep = |generator: &Rows| norm(generator) > 2.0 * LOST * largest;
@@ -183,13 +184,13 @@ impl Zonotope {
             let normal = self.combined(&hyperplane.normal);
             self.shift(normal, hyperplane.contained);
         }
-        // a flat set ends at once in all directions out of its space
+        // a flat set has no extent in any direction out of its space
         for index in self.dimension..self.axes.len() {
             self.shift(self.axes[index], self.all());
         }
     }
 
-    /// Adds both facets across a direction.
+    /// Adds both facets normal to a direction.
     fn shift(&mut self, normal: Rows, free: u64) {
         let (mut width, mut plus) = (0.0, 0);
         for (index, generator) in self.generators.iter().enumerate() {
@@ -238,7 +239,7 @@ impl Zonotope {
         self.unscaled(&self.center)
     }
 
-    /// Rows in newtons back to N and N·m.
+    /// Rows in newtons converted back to N and N·m.
     pub(super) fn unscaled(&self, rows: &Rows) -> Vec<f64> {
         self.row_lengths.iter().zip(rows).map(|(length, row)| length * row).collect()
     }

@@ -1,4 +1,5 @@
-//! Tension of a straight cable in motion: the law continued below zero, where dampers may still pull.
+//! Tension of a straight cable in motion: the law is continued below zero, where a damper may still make the cable
+//! pull.
 
 use super::{CableLaw, Kind};
 use crate::cable::elasticity::Tension;
@@ -8,8 +9,11 @@ use crate::cable::stretch::hysteresis::Memory;
 const STEPS: usize = 60;
 
 impl CableLaw {
-    /// Tension at a geometric and a controlled length (m) with its derivatives, negative where a bar would push: what is clipped is the sum of
-    /// this and the damper's share. From a memory, or the one of the law; `None` for cables that do not stretch, and for those with weight.
+    /// Tension at a geometric and a controlled length (m) with its derivatives, negative where a bar would push. The
+    /// caller adds the damper's tension before it clips the sum at zero. `memory` stands in for the law's own memory if
+    /// given.
+    ///
+    /// `None` for cables that do not stretch and for cables with weight.
     #[inline]
     pub fn continued_tension(
         &self,
@@ -24,13 +28,13 @@ impl CableLaw {
         }
     }
 
-    /// c_s T(ε) + (q_θ + q_h)(1 + ε) = q + q_h, solved for the strain ε.
+    /// Solves c_s T(ε) + (q_θ + q_h)(1 + ε) = q + q_h for the strain ε and returns the tension there.
     fn continued_stretch(&self, length: f64, controlled_length: f64, memory: Option<&Memory>) -> Option<Tension<f64>> {
         let (strained, unstrained) = (length + self.hidden_length, controlled_length + self.hidden_length);
         let mut strain = strained / unstrained - 1.0;
         let series = self.series_compliance;
         if series > 0.0 {
-            // between no strain and that of the cable alone
+            // the strain lies between 0 and the strain without the compliance in series
             let (mut low, mut high) = (strain.min(0.0), strain.max(0.0));
             for _ in 0..STEPS {
                 let (tension, slope) = self.stretch.tension(strain, memory)?;

@@ -1,4 +1,4 @@
-//! Lengths of a cable with a tension on its path: what its winch is told.
+//! Lengths of a cable with a given tension on its path, among them the controlled length of its winch.
 
 use super::{CableLaw, Kind};
 use crate::cable::path::CablePath;
@@ -6,8 +6,8 @@ use crate::cable::state::{CableInput, CableStateError};
 use crate::cable::stretch::hysteresis::Memory;
 use crate::cable::wrench::CableEnd;
 
-/// Lengths, direction and tensions of a cable at rest, or of one whose tension is unknown: of a
-/// [`CableState`](crate::cable::CableState) the part that has no derivative.
+/// Lengths, direction and tensions of a cable at rest: the fields of a [`CableState`](crate::cable::CableState) without
+/// derivatives. The tension may be unknown (NaN).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CableLengths {
     /// Strained length from frame anchor to platform anchor (m).
@@ -25,7 +25,8 @@ pub struct CableLengths {
 }
 
 impl CableLaw {
-    /// q_θ of a cable of geometric length q (m) with a tension (N), where a closed form tells it, whatever its sign.
+    /// Controlled length q_θ (m) of a cable of geometric length q (m) with a tension of any sign (N); `None` for laws
+    /// without a closed form.
     #[inline]
     pub fn closed_length(&self, q: f64, tension: f64) -> Option<f64> {
         match &self.kind {
@@ -35,8 +36,8 @@ impl CableLaw {
         }
     }
 
-    /// Lengths with a tension (N; NaN where it is unknown), from a memory or never loaded. Compiled into its callers: closed forms compute
-    /// nothing but what is asked.
+    /// Lengths with a tension (N; NaN if unknown), from `memory`, or from the law's own memory if there is none.
+    /// Inlined, so that callers of closed forms compute only the fields they read.
     #[inline]
     pub fn lengths_on(
         &self,

@@ -1,4 +1,4 @@
-//! Four equations.
+//! Linear systems of four equations.
 
 /// A 4 × 4 matrix by rows.
 #[derive(Clone, Copy, Debug)]
@@ -9,8 +9,8 @@ impl Matrix4 {
         Self(core::array::from_fn(|row| core::array::from_fn(|column| columns[column][row])))
     }
 
-    /// Solves for several right sides (rows of `right` are the equations) by elimination with pivots; entries that are not
-    /// finite come out where there is no solution.
+    /// Solves for several right-hand sides (rows of `right` are the equations) by elimination with pivoting; entries
+    /// are not finite if there is no solution.
     pub(super) fn solve<const N: usize>(mut self, mut right: [[f64; N]; 4]) -> [[f64; N]; 4] {
         let matrix = &mut self.0;
         for pivot in 0..4 {

@@ -1,17 +1,17 @@
 //! The implicit law of one cable with all its effects: g(p_B, s, q_θ) = 0 with a pull t(p_B, s) on the platform.
 //!
-//! p_B is the platform anchor in the world, q_θ the controlled length, s the internal state. For a sagging cable s = (F, L)
-//! of [`super::span`], and with the outlet C(F) and its wrap angle β(F)
+//! p_B is the platform anchor in the world, q_θ the controlled length, s the internal state. For a sagging cable
+//! s = (F, L) of [`super::span`], and with the outlet C(F) and its wrap angle β(F)
 //!
 //! C(F) + S(F, L) − p_B = 0, q_θ = L + (r_p β + q_h − c_s |F|)/(1 + ε(|F|)) − q_h, t = −(F − p L):
 //!
 //! outlet and span are solved together, so that swivel, wrap and contact point follow the end tangent of the span. The
 //! wrapped part and the hidden length q_h carry the tension at the outlet; c_s is the compliance in series (eq. 6.18).
 //!
-//! The tangent ∂t/∂p_B at fixed q_θ is symmetric where it is the Hessian of an energy: of every straight cable, and of a
-//! catenary that leaves from a point. Over a pulley the weight of the wrapped part is left out, and finite elements take cable
-//! up at all their nodes instead of the outlet: what is missing to symmetry is of the order of w r_p and of the weight of an
-//! element, 1e-4 and 1e-7 of the stiffness for a steel cable at 700 N.
+//! The tangent ∂t/∂p_B at fixed q_θ is symmetric if it is the Hessian of an energy: for every straight cable, and for
+//! a catenary that leaves from a point. Over a pulley the weight of the wrapped part is left out, and finite elements
+//! take cable up at all their nodes instead of the outlet: the asymmetry is of the order of w r_p, or of the weight of
+//! an element: 1e-4 or 1e-7 of the stiffness for a steel cable at 700 N.
 
 mod continued;
 mod lengths;
@@ -38,7 +38,7 @@ use super::stretch::hysteresis::Memory;
 use super::wrench::CableEnd;
 use crate::cable::elasticity::StiffnessBasis;
 
-/// Law of one cable: all of it but its end on the platform.
+/// Law of one cable: all its properties except its end on the platform.
 #[derive(Clone, Debug, PartialEq)]
 pub struct CableLaw {
     /// Outlet: a point, or a pulley.
@@ -51,18 +51,18 @@ pub struct CableLaw {
     pub series_compliance: f64,
     /// p, weight per unstrained length along gravity (world, N/m).
     pub weight: [f64; 3],
-    /// Calibration of what the robot records of it.
+    /// Calibration of the length and tension that the robot records of this cable.
     pub recording: Recording,
-    /// Formula that it obeys.
+    /// Formula that the cable obeys.
     pub kind: Kind,
 }
 
 /// Formula of a cable law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Kind {
-    /// Straight and rigid: its length is that of its path, whatever its tension.
+    /// Straight and rigid: its length is the length of its path at any tension.
     Rigid,
-    /// Straight and linear, in closed form, with the basis of its stiffness; without one it is a constant spring.
+    /// Straight and linear, in closed form, with the basis of its stiffness; a constant spring if there is no basis.
     Linear(Elasticity<f64>, Option<StiffnessBasis>),
     /// Straight, with the law of stretch by unstrained length.
     Stretching,
@@ -71,25 +71,25 @@ pub enum Kind {
 }
 
 impl CableLaw {
-    /// The straight, rigid cable between the same ends.
+    /// Path of the straight, rigid cable to a platform anchor (world, m).
     fn path(&self, platform_anchor: [f64; 3]) -> CablePath<f64> {
         self.outlet.path(platform_anchor)
     }
 
-    /// The law of the cable once it remembers this; itself where its stretch has no memory.
+    /// Returns the law with its stretch at this memory; unchanged if its stretch has no memory.
     #[must_use]
     #[inline]
     pub fn with_memory(&self, memory: &Memory) -> Self {
         Self { stretch: self.stretch.with_memory(memory), ..self.clone() }
     }
 
-    /// The cable with its end on the platform there and one more quantity given.
+    /// State of the cable with its end at `end` on the platform and one more quantity given by `input`.
     #[inline]
     pub fn state(&self, end: impl Into<CableEnd<f64>>, input: CableInput) -> Result<CableState, CableStateError> {
         self.state_from(end, input, None)
     }
 
-    /// [`CableLaw::state`], sought from the span of a cable nearby.
+    /// [`CableLaw::state`], where a cable with weight starts its search from the span `guess` of a cable nearby.
     #[inline]
     pub fn state_from(
         &self,
@@ -105,7 +105,8 @@ impl CableLaw {
         }
     }
 
-    /// [`CableLaw::state_from`] with the path of the straight cable to the end; a tension may leave it a length below zero.
+    /// [`CableLaw::state_from`] with the path of the straight cable to the end. Unlike there, a tension that stretches
+    /// the cable from a controlled length below zero is no error.
     #[inline]
     pub fn state_on(
         &self,
@@ -120,7 +121,7 @@ impl CableLaw {
         }
     }
 
-    /// True where the cable's own weight and stretch leave it no finite stiffness: it is straight and does not stretch.
+    /// True if the cable is straight and does not stretch, so that its stiffness is infinite.
     #[inline]
     pub fn is_inextensible_line(&self) -> bool {
         match self.kind {
@@ -130,8 +131,8 @@ impl CableLaw {
         }
     }
 
-    /// True where a cable of this tension may be slack, with a length that its tension does not tell: a tension of no more than
-    /// `allowance` (N) of a cable without weight.
+    /// True if a cable of this tension may be slack, so that its length does not follow from its tension: the cable has
+    /// no weight, and its tension is at most `allowance` (N).
     #[inline]
     pub fn may_be_slack(&self, tension: f64, allowance: f64) -> bool {
         tension <= allowance && !matches!(self.kind, Kind::Sagging(_))

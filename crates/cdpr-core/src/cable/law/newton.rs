@@ -11,25 +11,25 @@ use crate::cable::state::CableInput;
 use crate::scalar::{dot, scale, sub};
 use crate::solve::{self, Control, Rules, Step, StepRule, Stop, Trial, descend};
 
-/// Distance from the state sought, relative to force and length, that ends the search.
+/// Distance from the state sought, relative to force and length, at which the search ends.
 const TOLERANCE: f64 = 1e-12;
-/// Gap beside the free length that is left to rounding.
+/// Gap, as a fraction of the free length, that is left to rounding.
 const ROUNDING: f64 = 1e-12;
 /// Longest step, relative to force and length.
 const LONGEST_STEP: f64 = 0.7;
 
-/// A state put into the equations, with what they leave open.
+/// A state with its evaluation and the gap that it leaves in the equations.
 #[derive(Clone, Copy)]
 struct Tried {
     state: SpanState<f64>,
     evaluation: Evaluation,
-    /// Platform anchor (m), and what is known of the cable.
+    /// Residuals of the equations: the position of the platform anchor (m), then the given length (m) or tension (N).
     gap: [f64; 4],
     /// Size of the gap (m).
     size: f64,
 }
 
-/// Equations of one cable, as the loop of all searches sees them.
+/// Equations of one cable, in the form that the loop shared by all searches reads.
 struct Newton<'a, 's> {
     search: &'a mut CableSearch<'s>,
     known: CableInput,
@@ -37,9 +37,9 @@ struct Newton<'a, 's> {
     trial: Tried,
     /// Change of force (N) and length (m).
     step: [f64; 4],
-    /// Set near the slacker of two lengths with one tension.
+    /// True at the slacker of two lengths that have the same tension.
     is_slacker: bool,
-    /// States after which the search gives up.
+    /// Count of states after which the search gives up.
     most: u32,
 }
 
@@ -51,9 +51,9 @@ impl solve::Problem for Newton<'_, '_> {
         let rows = self.search.rows(evaluation, state, self.known);
         let solved = rows.solve([[-gap[0], 0.0], [-gap[1], 0.0], [-gap[2], 0.0], [-gap[3], 1.0]]);
         let step = solved.map(|[entry, _]| entry);
-        // Of two lengths with one tension the slacker one grows with it; the tension of a cable that weighs next to nothing
-        // does not change its length beyond rounding. The free part alone would not tell: over a pulley it grows as the
-        // wrapped part shrinks.
+        // Of two lengths with one tension, the slacker one grows with the tension; the length of a cable of almost no
+        // weight changes with the tension by no more than rounding. The free part alone does not show this: over a
+        // pulley it grows as the wrapped part shrinks.
         self.is_slacker = match self.known {
             CableInput::ControlledLength(_) => false,
             CableInput::OutletTension(tension) | CableInput::PlatformTension(tension) => {
@@ -67,7 +67,7 @@ impl solve::Problem for Newton<'_, '_> {
         // no step turns the force around or makes the length negative
         let fraction = f64::min(1.0, LONGEST_STEP / relative);
         self.step = step.map(|entry| fraction * entry);
-        // where only rounding is missing, one more step is enough, however large rounding makes it
+        // once the gap is down to rounding, one more step is enough, however long rounding makes it
         let size = if self.at.size < ROUNDING * self.search.chord.free_length { 0.0 } else { fraction * relative };
         Step::whole(size, relative.is_finite() && self.search.steps < self.most)
     }
@@ -109,7 +109,7 @@ impl CableSearch<'_> {
         [x, y, z, last]
     }
 
-    /// The tension at the end where it is known (N).
+    /// Tension at the end where `known` gives it: at the platform anchor, else at the outlet (N).
     pub(super) fn known_tension(&self, state: &SpanState<f64>, known: CableInput) -> f64 {
         let force = match known {
             CableInput::PlatformTension(_) => sub(state.force, scale(state.length, self.law.weight)),
@@ -118,7 +118,7 @@ impl CableSearch<'_> {
         dot(force, force).sqrt()
     }
 
-    /// Rows of the equations by the state.
+    /// Derivatives of the four equations by the state (F, L), by rows.
     fn rows(&self, evaluation: &Evaluation, state: &SpanState<f64>, known: CableInput) -> Matrix4 {
         let mut rows = evaluation.by_state;
         let unit = |force: [f64; 3]| scale(1.0 / dot(force, force).sqrt(), force);
@@ -136,7 +136,7 @@ impl CableSearch<'_> {
         rows
     }
 
-    /// Size of what is missing (m); a missing tension counts by the share of the tension.
+    /// Norm of the gap (m); the gap of a tension counts as a fraction of that tension, times the free length.
     fn size(&self, gap: &[f64; 4], known: CableInput) -> f64 {
         let last = match known {
             CableInput::ControlledLength(_) => gap[3],
@@ -147,7 +147,8 @@ impl CableSearch<'_> {
         (gap[0] * gap[0] + gap[1] * gap[1] + gap[2] * gap[2] + last * last).sqrt()
     }
 
-    /// The state at which nothing is left open, sought from one nearby; where there is none, the size of the gap that stays (m).
+    /// State that solves the equations, sought from `start`; if there is none, the error is the size of the gap that is
+    /// left (m).
     pub(super) fn newton(&mut self, known: CableInput, start: SpanState<f64>) -> Result<SpanState<f64>, f64> {
         let most = MAX_STEPS.min(self.steps + MAX_NEWTON_STEPS);
         let rules = Rules {

@@ -1,4 +1,4 @@
-//! How a cable at given tension changes with its own parameters.
+//! Derivatives of a cable at given tension by its own parameters.
 
 use super::matrix4::Matrix4;
 use super::{CableLaw, Kind};
@@ -9,7 +9,7 @@ use crate::cable::stretch::Stretch;
 use crate::cable::stretch::hysteresis::Motion;
 use crate::scalar::{add, cross, dot, rotate, scale, sub};
 
-/// A parameter of one cable, beside its anchors.
+/// A parameter of one cable other than its anchors.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum LawParameter {
     /// r_p (m).
@@ -20,16 +20,16 @@ pub enum LawParameter {
     Compliance,
     /// q_h (m).
     HiddenLength,
-    /// Number of the law of stretch, counted from 0.
+    /// Parameter of the law of stretch with this index, counted from 0.
     Stretch(usize),
 }
 
 /// Change of a cable per unit of a parameter, at fixed platform anchor and tension at the outlet.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LawChange {
-    /// Of the pull on the platform (N per unit).
+    /// Derivative of the pull on the platform (N per unit).
     pub pull: [f64; 3],
-    /// Of q_θ (m per unit).
+    /// Derivative of q_θ (m per unit).
     pub controlled_length: f64,
 }
 
@@ -59,7 +59,7 @@ impl CableLaw {
             (_, LawParameter::PulleyTurn(turn)) => {
                 let path = self.path(state.end.anchor);
                 let by_length = self.length(path.length, state.outlet_tension).by_length;
-                // to turn the pulley is to turn the platform anchor the other way about D, and with it what is seen from there
+                // turning the pulley equals turning the platform anchor the other way about D, then the result back
                 let moved = cross(turn, sub(state.end.anchor, *self.outlet.frame_anchor()));
                 let direction = sub(cross(turn, path.direction), rotate(&path.direction_gradient, moved));
                 LawChange {
@@ -94,14 +94,15 @@ impl CableLaw {
         }
     }
 
-    /// The motion of a straight cable that remembers to its state, and ∂q_θ/∂ε at its end at fixed tension (m); `None` for other cables.
+    /// The linearized motion of a straight cable with a memory to its state, and ∂q_θ/∂ε at its end at fixed tension
+    /// (m); `None` for other cables.
     pub fn motion(&self, state: &CableState) -> Option<(Motion, f64)> {
         let (Stretch::Hysteresis(law, memory), Kind::Stretching) = (&self.stretch, self.kind) else { return None };
         let motion = law.motion(state.outlet_tension, memory);
         Some((motion, -(state.controlled_length + self.hidden_length) / (1.0 + motion.strain)))
     }
 
-    /// Changes of end and controlled length at a fixed state.
+    /// Changes of the end (m) and of the controlled length (m) per unit of a parameter, at a fixed state.
     fn sagging_change(&self, shape: Shape, cable: &CableState, parameter: LawParameter, side: f64) -> ([f64; 3], f64) {
         let state = &cable.span;
         let frame = self.frame_end(state, side);
@@ -119,7 +120,7 @@ impl CableLaw {
             (LawParameter::PulleyRadius | LawParameter::PulleyTurn(_), None) => ([0.0; 3], 0.0),
             (LawParameter::Compliance, _) if !matches!(self.stretch, Stretch::Linear(_)) => ([0.0; 3], 0.0),
             (LawParameter::Compliance, _) => {
-                // ∫ τ ds, of elements too
+                // ∫ τ ds, for finite elements too
                 let middle = add(state.force, scale(-0.5 * state.length, self.weight));
                 (scale(state.length, middle), -frame.outside * ratio * ratio * cable.outlet_tension)
             }
@@ -132,7 +133,8 @@ impl CableLaw {
         }
     }
 
-    /// Change of pull and controlled length when the state follows so that the end (`end`, m) and the outlet tension stay.
+    /// Change of pull and controlled length when the state adjusts so that the end and the outlet tension stay; `end`
+    /// (m) and `length` (m) are the changes at fixed state.
     fn held_change(&self, cable: &CableState, by_state: &Matrix4, end: [f64; 3], length: f64) -> LawChange {
         let [x, y, z] = scale(1.0 / cable.outlet_tension, cable.span.force);
         let mut rows = *by_state;

@@ -9,10 +9,10 @@ use crate::cable::outlet::bent::{self, Outlet, Pulley};
 use crate::cable::span::{Change, Shape, SpanState};
 use crate::scalar::{add, dot, scale, sub};
 
-/// A state put into the equations.
+/// The equations evaluated at a state.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Evaluation {
-    /// C + S, where the end comes to lie (world, m).
+    /// C + S, the position of the cable's end (world, m).
     pub(super) end: [f64; 3],
     /// q_θ (m).
     pub(super) controlled_length: f64,
@@ -32,12 +32,13 @@ pub(super) struct Moved {
 }
 
 impl CableLaw {
-    /// The pulley as the cable meets it on this side of the axis.
+    /// The pulley of this cable, which leaves on `side` of the swivel axis; `None` if it has a point outlet.
     pub(super) fn bent_pulley(&self, side: f64) -> Option<Pulley<f64>> {
         self.outlet.pulley().map(|(&swivel_axis, &radius)| Pulley { swivel_axis, radius, side })
     }
 
-    /// Tension, direction, outlet and strain at the frame's end in a state; the cable leaves on `side` of the swivel axis.
+    /// Tension, direction, outlet and strain at the frame's end in a state; the cable leaves on `side` of the swivel
+    /// axis.
     pub(super) fn frame_end(&self, state: &SpanState<f64>, side: f64) -> FrameEnd {
         let tension = dot(state.force, state.force).sqrt();
         let direction = scale(1.0 / tension, state.force);
@@ -48,7 +49,7 @@ impl CableLaw {
         FrameEnd { tension, direction, outlet, outside, ratio: 1.0 / (1.0 + strain), slope }
     }
 
-    /// The equations at a state; `side` as in [`Self::frame_end`].
+    /// Evaluates the equations at a state; `side` as in [`Self::frame_end`].
     pub(super) fn evaluate(&self, shape: Shape, state: &SpanState<f64>, side: f64) -> Evaluation {
         let frame = self.frame_end(state, side);
         let (contact, wrap_angle) =
@@ -68,7 +69,7 @@ impl CableLaw {
         }
     }
 
-    /// How end and controlled length move along a change of state or weight that moves the span by this.
+    /// Change of end and controlled length along a `change` of state or weight that moves the span by `span` (m).
     #[inline]
     pub(super) fn moved(&self, frame: &FrameEnd, change: &Change, span: [f64; 3]) -> Moved {
         let FrameEnd { tension, direction: t, ratio, .. } = *frame;
@@ -86,7 +87,7 @@ impl CableLaw {
     }
 }
 
-/// The frame's end of a cable in a state.
+/// Quantities at the frame's end of a cable in a given state.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct FrameEnd {
     /// |F| (N).
@@ -94,7 +95,7 @@ pub(super) struct FrameEnd {
     /// F/|F|.
     direction: [f64; 3],
     pub(super) outlet: Option<(Pulley<f64>, Outlet<f64>)>,
-    /// Strained length between winch and outlet, less what is in series (m).
+    /// Strained length between winch and outlet, less the stretch of the compliance in series (m).
     pub(super) outside: f64,
     /// 1/(1 + ε) at the outlet.
     pub(super) ratio: f64,

@@ -1,4 +1,4 @@
-//! The state of a cable with weight, sought from several starts, and what follows from it.
+//! The state of a cable with weight, sought from several starts, with its derivatives.
 
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
@@ -11,25 +11,27 @@ use crate::cable::state::{CableInput, CableState, CableStateError};
 use crate::cable::wrench::CableEnd;
 use crate::scalar::{add, dot, scale, sub};
 
-/// States of one cable after which no further search begins: tensions that weight leaves no cable take some hundreds.
+/// Number of states of one cable after which no further search begins: a tension too low for the cable's weight takes
+/// some hundreds to refuse.
 pub(super) const MAX_STEPS: u32 = 2500;
-/// States that one run of Newton's method tries before giving up; where it succeeds it mostly takes fewer than ten.
+/// Number of states that one run of Newton's method tries before it gives up; successful runs mostly take fewer than
+/// ten.
 pub(super) const MAX_NEWTON_STEPS: u32 = 400;
-/// A straight cable in place of the span: where it leaves and how far it is.
+/// The straight cable in place of the span: its direction from the outlet and its lengths.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Chord {
     /// From the outlet to the platform anchor, unit vector.
     pub(super) away: [f64; 3],
     /// Distance from the outlet (m).
     pub(super) free_length: f64,
-    /// Wrapped part included (m).
+    /// Length from the frame anchor, wrapped part included (m).
     pub(super) length: f64,
-    /// See [`crate::cable::outlet::bent::Pulley`].
+    /// 1 or −1, see [`crate::cable::outlet::bent::Pulley`].
     pub(super) side: f64,
 }
 
 impl CableLaw {
-    /// The straight cable between the same ends.
+    /// Chord of a straight cable with this path; `NoCourse` if the path is not finite or has no free part.
     pub(super) fn chord(path: &CablePath<f64>) -> Result<Chord, CableStateError> {
         if !(path.length.is_finite() && path.free_length > 0.0) {
             return Err(CableStateError::NoCourse);
@@ -39,7 +41,7 @@ impl CableLaw {
         Ok(Chord { away, free_length: path.free_length, length: path.length, side })
     }
 
-    /// The law of a cable with weight, solved.
+    /// Solves for the state of a cable with weight.
     pub(super) fn sagging_state(
         &self,
         shape: Shape,
@@ -79,7 +81,7 @@ impl CableLaw {
         }
     }
 
-    /// Everything that follows from a state that obeys the equations.
+    /// State of a cable, with derivatives, from a span that obeys the equations.
     pub(super) fn state_of(&self, state: &SpanState<f64>, evaluation: &Evaluation, end: &CableEnd<f64>) -> CableState {
         let tension = dot(state.force, state.force).sqrt();
         let t = scale(1.0 / tension, state.force);
@@ -124,7 +126,7 @@ impl CableLaw {
         }
     }
 
-    /// Strained length from the frame anchor: the wrapped part, and the free one at its mean strain (m).
+    /// Strained length from the frame anchor: the wrapped part, and the free part at its mean strain (m).
     fn strained_length(&self, state: &SpanState<f64>, evaluation: &Evaluation) -> f64 {
         let middle = sub(state.force, scale(0.5 * state.length, self.weight));
         let (strain, _) = self.stretch.strain(dot(middle, middle).sqrt());
@@ -133,13 +135,13 @@ impl CableLaw {
     }
 }
 
-/// One cable, its end, and the straight line between.
+/// A search for the state of one cable: its law, its end and the straight line between both ends.
 pub(super) struct CableSearch<'a> {
     pub(super) law: &'a CableLaw,
     pub(super) shape: Shape,
     pub(super) platform_anchor: [f64; 3],
     pub(super) chord: Chord,
-    /// States tried.
+    /// Number of states tried.
     pub(super) steps: u32,
 }
 
@@ -148,7 +150,7 @@ impl CableSearch<'_> {
         CableStateError::NotConverged { iterations: self.steps, gap }
     }
 
-    /// A state near the one sought.
+    /// First guess of the state sought.
     fn start(&self, known: CableInput) -> SpanState<f64> {
         match known {
             CableInput::OutletTension(tension) => self.taut(tension, 0.5),
@@ -157,8 +159,8 @@ impl CableSearch<'_> {
         }
     }
 
-    /// A taut cable as a parabola: its force turns evenly about that in the middle, which points along the chord; the given
-    /// tension acts at the share `end` of the length before the middle.
+    /// A taut cable as a parabola: its force turns evenly about the force in the middle, which points along the chord;
+    /// the given tension acts at the fraction `end` of the length before the middle.
     fn taut(&self, tension: f64, end: f64) -> SpanState<f64> {
         let length = self.chord.free_length / (1.0 + self.law.stretch.strain(tension).0);
         let half = scale(end * length, self.law.weight);
@@ -170,7 +172,7 @@ impl CableSearch<'_> {
         SpanState { force, length }
     }
 
-    /// A cable of given length: from taut by stretch to slack by the catenary of that length.
+    /// A cable of given controlled length (m): a taut one by its stretch, a slack one by the catenary of that length.
     fn of_length(&self, controlled_length: f64) -> SpanState<f64> {
         let law = self.law;
         let chord = &self.chord;
@@ -222,14 +224,14 @@ impl CableSearch<'_> {
         SpanState { force: add(scale(horizontal.max(1e-9 * total_weight), direction), scale(hold, unit)), length: free }
     }
 
-    /// The tension of a length at the end where it is known (N), and its state; `None` where no shape was found.
+    /// The tension where `known` gives it (N) and the state for a controlled length (m); `None` if no shape was found.
     fn of_known_length(&mut self, length: f64, known: CableInput) -> Option<(f64, SpanState<f64>)> {
         let state = self.newton(CableInput::ControlledLength(length), self.of_length(length)).ok()?;
         Some((self.known_tension(&state, known), state))
     }
 
-    /// Tension by length, which is found for every length: the taut length of a tension by bisection, or the least tension.
-    /// `gap` is what Newton's method left (m).
+    /// Finds a tension through the controlled length, since every length has a state: bisection on taut lengths, down
+    /// to the length of least tension. `gap` is the gap that Newton's method left (m).
     fn by_length(&mut self, known: CableInput, gap: f64) -> Result<SpanState<f64>, CableStateError> {
         let (CableInput::OutletTension(wanted) | CableInput::PlatformTension(wanted)) = known else {
             return Err(self.not_found(gap));
@@ -262,7 +264,8 @@ impl CableSearch<'_> {
         }
     }
 
-    /// The tension falls with the length, then grows with the weight that hangs: its least value by golden sections.
+    /// Controlled length of least tension (m), by golden sections: tension falls with the length, then grows with the
+    /// hanging weight.
     fn length_of_least_tension(&mut self, known: CableInput, mut low: f64, mut high: f64) -> f64 {
         let golden = 0.5 * (5.0_f64.sqrt() - 1.0);
         let mut tension = |length| self.of_known_length(length, known).map_or(f64::INFINITY, |found| found.0);

@@ -40,7 +40,7 @@ impl CableLaw {
         }
     }
 
-    /// Law of a straight cable in closed form; `None` for others.
+    /// Elasticity of a straight cable with a law in closed form; `None` for other cables.
     #[inline]
     pub(super) fn closed_form(&self) -> Option<Elasticity<f64>> {
         match self.kind {
@@ -50,7 +50,7 @@ impl CableLaw {
         }
     }
 
-    /// q_θ of a cable of this length and tension.
+    /// q_θ (m) with its derivatives for a cable of this geometric length (m) and tension (N).
     #[inline]
     pub(super) fn length(&self, q: f64, tension: f64) -> Length {
         match self.closed_form() {
@@ -68,7 +68,7 @@ impl CableLaw {
         }
     }
 
-    /// Tension of a cable of this length, 0 where slack.
+    /// Tension of a cable of this geometric and controlled length (N), 0 if slack.
     fn straight_tension(&self, q: f64, controlled_length: f64) -> Result<f64, CableStateError> {
         if !(q > controlled_length) {
             return Ok(0.0);
@@ -79,7 +79,7 @@ impl CableLaw {
                 false => Ok(law.tension(q, controlled_length).value),
             };
         }
-        // the length falls with the tension, without bound on its slope: Newton's method within a bracket
+        // the length falls with the tension, with no bound on its slope: Newton's method within a bracket
         let (mut low, mut high) = (0.0, 1.0);
         while self.length(q, high).value > controlled_length {
             low = high;
@@ -110,7 +110,7 @@ impl CableLaw {
     }
 }
 
-/// A straight cable on its path with this tension and length.
+/// State of the straight cable on its path, with this tension and controlled length.
 #[inline]
 fn straight(
     path: &CablePath<f64>,
@@ -120,7 +120,7 @@ fn straight(
     length: &Length,
 ) -> CableState {
     let u = path.direction;
-    // ∂f/∂q at fixed q_θ, and by q_θ; a slack cable has none, a rigid one no number
+    // ∂f/∂q at fixed q_θ, and ∂f/∂q_θ; both 0 for a slack cable, not finite for a rigid one
     let taut = tension > 0.0;
     let stiffness = if taut { -length.by_length / length.by_tension } else { 0.0 };
     let by_controlled = if taut { 1.0 / length.by_tension } else { 0.0 };
@@ -152,8 +152,8 @@ fn straight(
     }
 }
 
-/// The straight cable on a path as a spring of 1 N/m with this tension, of any sign: least squares of lengths are the equilibrium of such
-/// springs (eq. 2.81).
+/// The straight cable on a path as a spring of 1 N/m with a tension of any sign (N): a least-squares fit of lengths is
+/// the equilibrium of these springs (eq. 2.81).
 pub fn unit_spring(path: &CablePath<f64>, end: &CableEnd<f64>, recording: Recording, tension: f64) -> CableState {
     const UNIT: Elasticity<f64> = Elasticity { by_length: 0.0, by_controlled_length: 0.0, constant: 1.0 };
     straight(path, end, recording, tension, &linear(&UNIT, path.length, tension))

@@ -9,7 +9,7 @@ use crate::cable::span::Change;
 use crate::cable::stretch::two_piece::TwoPiece;
 use crate::scalar::{Real, Smooth, add, cross, dot, scale, sub};
 
-/// A 14 mm steel cable of 0.8 kg/m (EA 10 MN) over a pulley whose axis is not upright.
+/// A 14 mm steel cable of 0.8 kg/m (EA 10 MN) over a pulley whose swivel axis is tilted.
 fn steel(shape: Shape, with_pulley: bool) -> CableLaw {
     let axis = [0.2, -0.1, 0.95];
     let norm = dot(axis, axis).sqrt();
@@ -49,8 +49,8 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     dot(d, d).sqrt()
 }
 
-/// From tension to length and back, taut to slack: Newton leaves rounding, which the stiffness of a taut cable (1e6 N/m)
-/// multiplies.
+/// From tension to length and back, taut to slack: Newton's method leaves rounding errors, multiplied by the stiffness
+/// of a taut cable (1e6 N/m).
 #[test]
 fn tension_and_length_lead_to_each_other() {
     let (mut solved, mut solved_both, mut lost) = (0, 0, 0);
@@ -80,19 +80,19 @@ fn tension_and_length_lead_to_each_other() {
             }
         }
     }
-    // a slack cable that hangs along a swivel axis has no plane to lie in
+    // a slack cable that hangs along a swivel axis lies in no unique plane
     assert!(lost < 5, "{lost}");
     // 60 N do not carry every cable of up to 15 m and 8 N/m
     assert!(solved > 3_600 && solved_both > solved - 5, "{solved} {solved_both}");
 }
 
-/// Every length of an elastic cable has a shape, down to cables three times as long as the way.
+/// Every length of an elastic cable has a shape, up to three times the distance.
 #[test]
 fn every_length_has_a_shape() {
     for (index, anchor) in anchors(150).enumerate() {
         for with_pulley in [false, true] {
             let mut law = steel(Shape::Catenary, with_pulley);
-            // a slack cable hangs down from its pulley: along an axis that is not upright it would have no plane
+            // a slack cable hangs down from its pulley: along a tilted axis it would lie in no unique plane
             if let Outlet::Swivel { swivel_axis, .. } = &mut law.outlet {
                 *swivel_axis = [0.0, 0.0, 1.0];
             }
@@ -107,8 +107,8 @@ fn every_length_has_a_shape() {
     }
 }
 
-/// Lengths of a cable that weighs more than can be calculated with have no shape: the search for its tension gives up after a bounded
-/// number of steps, and tells those of all lengths.
+/// A cable too heavy to be computed has no shape at any length: the search for its tension gives up after a bounded
+/// number of steps, and its error counts the steps for all lengths.
 #[test]
 fn the_search_for_a_cable_without_a_shape_ends() {
     let bounded = solve::MAX_STEPS..solve::MAX_STEPS + solve::MAX_NEWTON_STEPS;
@@ -179,7 +179,7 @@ fn a_level_inextensible_cable_is_the_classical_catenary() {
         let tension = f64::hypot(horizontal, 0.5 * weight * length);
         let anchor = [width, 0.0, 5.0];
         let mut holds = vec![law.state(anchor, CableInput::ControlledLength(length)).unwrap()];
-        // with less than 1.2 between half the weight's parameter and 1 the tension belongs to a slacker cable, too
+        // if w d/2H is 1.2 or more, this length is the slacker of two that have its tension
         if horizontal > 0.5 * weight * width / 1.19 {
             holds.push(law.state(anchor, CableInput::OutletTension(tension)).unwrap());
         }
@@ -195,7 +195,7 @@ fn a_level_inextensible_cable_is_the_classical_catenary() {
     assert!(matches!(short, Err(CableStateError::TooShort { .. })), "{short:?}");
 }
 
-/// The span of the issue: 6 m wide, 4 m high, 0.8 kg/m. Above 24.4 N at the lower end two lengths have a tension, below none.
+/// A span 6 m wide and 4 m high of 0.8 kg/m: above 24.4 N at the lower end two lengths have the tension, below none.
 #[test]
 fn the_least_tension_of_a_span_is_found_and_the_taut_length_is_meant() {
     let law = CableLaw {
@@ -216,7 +216,7 @@ fn the_least_tension_of_a_span_is_found_and_the_taut_length_is_meant() {
     assert!(tighter.controlled_length < taut.controlled_length);
 }
 
-/// A tension near none is refused with the least one, which the cable can have: rope and steel, over pulleys and without.
+/// A tension near zero is refused with the least possible one, which has a state: rope and steel, with pulleys or not.
 #[test]
 fn the_least_tension_of_a_cable_is_told_wherever_it_ends() {
     for (density, with_pulley) in [(0.05, false), (0.05, true), (0.8, false), (0.8, true)] {
@@ -252,8 +252,8 @@ fn finite_elements_converge_with_order_two() {
     }
 }
 
-/// Straight and with weight, over pulleys and without, below the knee of a law of two pieces and above: what a number changes at a given tension is
-/// the slope of solved states (to 1e-6: central differences of 1e-4, and Newton's rounding over them).
+/// Straight or with weight, with pulleys or not, below and above the knee of a two-piece law: derivatives by a number
+/// at a given tension are slopes of solved states (to 1e-6: central differences of 1e-4, with Newton's rounding).
 #[test]
 fn derivatives_by_the_numbers_of_a_law_are_slopes_of_solved_states() {
     let law = |numbers: [f64; 3], kind: Kind, with_pulley: bool| {
@@ -277,7 +277,7 @@ fn derivatives_by_the_numbers_of_a_law_are_slopes_of_solved_states() {
                 });
                 let slope = scale(0.5 / h, sub(ahead.pull, behind.pull));
                 let length = (ahead.controlled_length - behind.controlled_length) / (2.0 * h);
-                // a share of the number moves pulls by newtons and lengths by millimetres
+                // a relative change of the number moves pulls by newtons and lengths by millimetres
                 let [pull_off, length_off] = [distance(slope, found.pull), (length - found.controlled_length).abs()]
                     .map(|off| off * numbers[number]);
                 assert!(
@@ -289,7 +289,7 @@ fn derivatives_by_the_numbers_of_a_law_are_slopes_of_solved_states() {
     }
 }
 
-/// Without weight the span is the straight cable, in values and derivatives, and the way there is smooth.
+/// Without weight the span is the straight cable, in values and derivatives, and the limit is smooth.
 #[test]
 fn weight_zero_is_the_straight_cable() {
     for (anchor, with_pulley) in anchors(100).zip([true, false].into_iter().cycle()) {
@@ -313,7 +313,7 @@ fn weight_zero_is_the_straight_cable() {
     }
 }
 
-/// Everything that follows from a state is the derivative of what is given, against central differences of the full solve.
+/// Every derivative of a state agrees with central differences of the full solve.
 #[test]
 fn derivatives_of_a_state_are_those_of_the_solve() {
     for (index, anchor) in anchors(40).enumerate() {
@@ -342,8 +342,8 @@ fn derivatives_of_a_state_are_those_of_the_solve() {
                         cable.tangent[row][axis]
                     );
                     let (one, other) = (cable.tangent[row][axis], cable.tangent[axis][row]);
-                    // Left out is the weight on the pulley: at its edge w r_p of 700 N are missing to an energy. A chain of
-                    // elements takes cable up at all of them, not at the outlet alone: 1/n² of the weight's share.
+                    // The weight on the pulley is left out: at its edge, an asymmetry of w r_p at 700 N. A chain of
+                    // elements takes up cable at all of them, not at the outlet alone: 1/n² of the weight's fraction.
                     let missing = match (law.kind, law.outlet.pulley().is_some()) {
                         (Kind::Sagging(_), true) => 1e-4,
                         (Kind::Sagging(Shape::FiniteElements(_)), false) => 1e-7,

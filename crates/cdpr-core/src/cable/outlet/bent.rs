@@ -1,8 +1,8 @@
-//! Outlet of a cable whose direction is given there, as that of a sagging cable is: point or swivelling pulley.
+//! Outlet (point or swivelling pulley) of a cable whose direction is given at the outlet, for sagging cables.
 
 use crate::scalar::{Smooth, add, cross, dot, scale, sub};
 
-/// A swivelling pulley as its cable sees it.
+/// A swivelling pulley and the side on which its cable leaves.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Pulley<T> {
     /// z_A, unit vector along the swivel axis, from the winch into the pulley (world).
@@ -29,8 +29,9 @@ pub struct Outlet<T> {
     sine: T,
 }
 
-/// C and β for a cable that leaves with the direction t = cos β z_A + sin β x_A (unit vector, from the outlet on): the pulley
-/// swivels until t lies in its plane. C = D + r_p (1 − cos β) x_A + r_p sin β z_A. Along the axis the result is NaN.
+/// C and β for a cable that leaves with the direction t = cos β z_A + sin β x_A (unit vector, from the outlet on): the
+/// pulley swivels until t lies in its plane. C = D + r_p (1 − cos β) x_A + r_p sin β z_A. Along the axis the result is
+/// NaN.
 #[inline]
 pub fn outlet<T: Smooth>(pulley: &Pulley<T>, direction: [T; 3]) -> Outlet<T> {
     let one = pulley.radius.constant(1.0);
@@ -50,7 +51,7 @@ pub fn outlet<T: Smooth>(pulley: &Pulley<T>, direction: [T; 3]) -> Outlet<T> {
 }
 
 impl Outlet<f64> {
-    /// Changes of C and β when the direction changes by δt (perpendicular to t).
+    /// Changes of C (m) and β (rad) when the direction changes by δt (perpendicular to t).
     #[inline]
     pub fn derivative(&self, pulley: &Pulley<f64>, change: [f64; 3]) -> ([f64; 3], f64) {
         let (axis, radial) = (pulley.swivel_axis, self.radial);

@@ -1,5 +1,5 @@
-//! Contact point of a straight cable with its pulley, and how free length, arc and contact point follow the platform anchor
-//! (eq. 2.83–2.87).
+//! Contact point of a straight cable with its pulley, and how free length, arc and contact point follow the platform
+//! anchor (eq. 2.83–2.87).
 
 use super::Outlet;
 use super::pulley::PulleyPlane;
@@ -8,13 +8,14 @@ use crate::cable::path::CablePath;
 use crate::cable::wrench::wrench;
 use crate::scalar::{Real, add, cross, dot, scale, sub};
 
-/// Place where a straight cable leaves its pulley, with its derivatives by the platform anchor p_B (world).
+/// Point where a straight cable leaves its pulley, with its derivatives by the platform anchor p_B (world).
 ///
-/// With n_M = x_A × z_A across the pulley's plane, û_r = n_M × u in it and b_a = r_p (1 − cos β), the distance of C from the
-/// swivel axis:
+/// With n_M = x_A × z_A across the pulley's plane, û_r = n_M × u in it and b_a = r_p (1 − cos β), the distance of C
+/// from the swivel axis:
 ///
-/// J_qu = r_p/q_f û_rᵀ (eq. 2.84), J_pA = b_a/b_xy n_M n_Mᵀ − u J_qu. Eq. 2.86 is printed without n_Mᵀ and with +u, which
-/// contradicts ∂q/∂p_B = −u. A pulley that does not swivel has no term of n_M; at a point outlet all but ∂q_f/∂p_B = −u is 0.
+/// J_qu = r_p/q_f û_rᵀ (eq. 2.84), J_pA = b_a/b_xy n_M n_Mᵀ − u J_qu. Eq. 2.86 is printed without n_Mᵀ and with +u,
+/// which contradicts ∂q/∂p_B = −u. A pulley that does not swivel has no term of n_M; at a point outlet all but
+/// ∂q_f/∂p_B = −u is 0.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Contact<T> {
     /// p_A = C, where the free part begins (world, m); the frame anchor of a point outlet.
@@ -43,8 +44,8 @@ pub struct ContactByPose<T> {
 }
 
 impl<T: Real> Outlet<T> {
-    /// Contact point of the cable on this path to a platform anchor (world, m), with its derivatives; without meaning where the
-    /// path is not finite.
+    /// Contact point of the cable on this path to a platform anchor (world, m), with its derivatives; meaningless if
+    /// the path is not finite.
     #[inline]
     pub fn contact(&self, platform_anchor: [T; 3], path: &CablePath<T>) -> Contact<T> {
         match *self {
@@ -89,7 +90,8 @@ fn on_pulley<T: Real>(entry: [T; 3], radius: T, plane: &PulleyPlane<T>, path: &C
 }
 
 impl<T: Real> Contact<T> {
-    /// Derivatives by the pose of a platform that the cable holds at this end: J_pA J_pB and so on, J_pB from [`CableEnd::by_pose`].
+    /// Derivatives by the pose of a platform that the cable holds at this end: J_pA J_pB and so on, J_pB from
+    /// [`CableEnd::by_pose`].
     pub fn by_pose(&self, end: &CableEnd<T>) -> ContactByPose<T> {
         let row = |by_anchor: [T; 3]| wrench(end.moment_arm, by_anchor);
         let (point, anchor) = (self.point_by_anchor.map(row), end.by_pose());

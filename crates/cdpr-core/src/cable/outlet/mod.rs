@@ -1,4 +1,4 @@
-//! Outlets: the places where cables leave the frame.
+//! Outlets: the points or pulleys where cables leave the frame.
 
 pub mod bent;
 mod contact;
@@ -10,7 +10,7 @@ pub use contact::{Contact, ContactByPose};
 use super::path::{CablePath, GeometryError};
 use crate::scalar::{LANES, Lanes, Real, dot, scale, sub};
 
-/// Outlet of one cable by numbers T; of several cables, in lanes or as arrays of them.
+/// Outlet of one cable by numbers T, or of several cables if T holds lanes or arrays of numbers.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Outlet<T> {
     /// The cable runs straight from the frame anchor.
@@ -51,7 +51,7 @@ impl<T> Outlet<T> {
         }
     }
 
-    /// [`Outlet::frame_anchor`], to be changed.
+    /// Mutable access to [`Outlet::frame_anchor`].
     #[inline]
     pub fn frame_anchor_mut(&mut self) -> &mut [T; 3] {
         match self {
@@ -61,7 +61,7 @@ impl<T> Outlet<T> {
         }
     }
 
-    /// Radius r_p of the pulley (m), to be changed; nothing at a point.
+    /// Mutable access to the radius r_p of the pulley (m); `None` for a point outlet.
     #[inline]
     pub fn radius_mut(&mut self) -> Option<&mut T> {
         match self {
@@ -70,7 +70,7 @@ impl<T> Outlet<T> {
         }
     }
 
-    /// Swivel axis z_A and radius r_p of the pulley (m); nothing at a point.
+    /// Swivel axis z_A and radius r_p of the pulley (m); `None` for a point outlet.
     #[inline]
     pub fn pulley(&self) -> Option<(&[T; 3], &T)> {
         match self {
@@ -81,7 +81,7 @@ impl<T> Outlet<T> {
         }
     }
 
-    /// The outlet in other numbers.
+    /// The outlet with each number converted by `of`.
     #[inline(always)]
     pub fn map<U>(&self, of: impl Fn(&T) -> U + Copy) -> Outlet<U> {
         let vector = |[x, y, z]: &[T; 3]| [of(x), of(y), of(z)];
@@ -103,7 +103,8 @@ impl<T> Outlet<T> {
 }
 
 impl<T: Real> Outlet<T> {
-    /// CablePath of the straight, rigid cable to a platform anchor (world, m); numbers that are not finite where it has none.
+    /// Path of the straight, rigid cable to a platform anchor (world, m); its numbers are not finite if there is no
+    /// path.
     #[inline(always)]
     pub fn path(&self, platform_anchor: [T; 3]) -> CablePath<T> {
         match *self {
@@ -119,7 +120,8 @@ impl<T: Real> Outlet<T> {
 }
 
 impl Outlet<f64> {
-    /// Why a cable with this path to a platform anchor (world, m) has none; `cable` is its number, from 1.
+    /// Reason why the cable with this path to a platform anchor (world, m) has no unique path, `None` if it has one;
+    /// `cable` is its number, from 1.
     #[inline]
     pub fn degeneracy(&self, cable: usize, platform_anchor: [f64; 3], path: &CablePath<f64>) -> Option<GeometryError> {
         let d = sub(platform_anchor, *self.frame_anchor());
@@ -129,7 +131,7 @@ impl Outlet<f64> {
         }
         let radius = match *self {
             Self::Point { .. } => {
-                // one may round to zero where the other does not
+                // one of the two may round to zero without the other
                 let is_zero = distance == 0.0 || !(path.length > 0.0);
                 return is_zero.then_some(GeometryError::ZeroLength { cable });
             }
@@ -141,7 +143,7 @@ impl Outlet<f64> {
             }
             Self::Swivel { swivel_axis, radius, .. } => {
                 let across = sub(d, scale(dot(swivel_axis, d), swivel_axis));
-                // nearer than rounding can tell a side of the axis
+                // so near the axis that rounding hides on which side the anchor lies
                 if radius > 0.0 && dot(across, across).sqrt() <= pulley::ON_AXIS * (distance + radius) {
                     return Some(GeometryError::OnSwivelAxis { cable });
                 }
@@ -156,20 +158,20 @@ impl Outlet<f64> {
     }
 }
 
-/// Distances that are certainly neither zero nor too large (m).
+/// Bounds of distances that are certainly neither zero nor too large (m).
 const SHORTEST: f64 = 1e-100;
 const LONGEST: f64 = 1e100;
-/// Far above the sine of the angle from the swivel axis, or from the edge of the open side, that rounding cannot tell from 0.
+/// Sine of the angle from the swivel axis, or from the edge of the open side, that is far above rounding.
 const CLEAR: f64 = 1e-6;
 
 impl<L: Lanes> Outlet<L> {
-    /// 0 where a path exists for sure, 1 where [`Outlet::degeneracy`] of the single cable must say whether it does.
+    /// 0 if a path certainly exists, 1 if [`Outlet::degeneracy`] of the single cable must decide.
     #[inline(always)]
     pub fn needs_scalar(&self, platform_anchor: [L; 3], path: &CablePath<L>) -> L {
         let l = path.length;
         let (zero, one) = (l.constant(0.0), l.constant(1.0));
         let is_clear = |least: L, distance: L| zero.select(least.is_less(distance), one);
-        // the outlet computes the same, which costs nothing twice
+        // the outlet computes the same terms, so the compiler shares them
         let needs_scalar = match *self {
             Self::Point { .. } => zero,
             Self::Swivel { frame_anchor, swivel_axis, radius } => {
@@ -183,14 +185,14 @@ impl<L: Lanes> Outlet<L> {
                 is_clear(dot(d, d).sqrt() * l.constant(CLEAR), dot(d, side).max(-dot(d, swivel_axis)))
             }
         };
-        // NaN is neither
+        // NaN fails both comparisons
         let needs_scalar = needs_scalar.select(l.constant(SHORTEST).is_less(path.free_length), one);
         needs_scalar.select(path.length.is_less(l.constant(LONGEST)), one)
     }
 }
 
 impl Outlet<[f64; LANES]> {
-    /// Outlets of one kind packed into lanes; the last one fills the rest.
+    /// Outlets of one kind packed into lanes; lanes beyond the last outlet repeat it.
     #[inline]
     pub fn pack(outlets: &[Outlet<f64>]) -> Self {
         let at = |lane: usize| &outlets[lane.min(outlets.len() - 1)];

@@ -3,7 +3,7 @@
 use crate::cable::path::{CablePath, normalized};
 use crate::scalar::{Real, sub};
 
-/// CablePath from the frame anchor a to the platform anchor p_B (both world, m).
+/// Path from the frame anchor a to the platform anchor p_B (both world, m).
 #[inline(always)]
 pub fn path<T: Real>(frame_anchor: [T; 3], platform_anchor: [T; 3]) -> CablePath<T> {
     let (u, q) = normalized(sub(frame_anchor, platform_anchor));

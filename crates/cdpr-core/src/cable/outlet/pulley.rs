@@ -1,5 +1,5 @@
-//! Pulley: the cable enters at D, wraps and leaves tangentially (eq. 2.16–2.29). Its plane turns with the platform anchor about
-//! the swivel axis, or stands still with a given side (planar robots).
+//! Pulley: the cable enters at D, wraps and leaves tangentially (eq. 2.16–2.29). Its plane turns with the platform
+//! anchor about the swivel axis, or is fixed with a given side (planar robots).
 
 use thiserror::Error;
 
@@ -10,7 +10,7 @@ use crate::scalar::{Real, add, cross, dot, scale, sub};
 /// it keeps r_p = 0 free of 0/0 when the platform anchor lies on the axis.
 const AXIS_GUARD: f64 = 1e-300;
 
-/// Sine of the angle from the swivel axis below which rounding does not tell the sides of the axis apart.
+/// Sine of the angle from the swivel axis below which rounding hides on which side of the axis the anchor lies.
 pub const ON_AXIS: f64 = 1e-12;
 
 /// The plane of a pulley and the platform anchor in it.
@@ -23,7 +23,7 @@ pub(super) struct PulleyPlane<T> {
     b_z: T,
     /// Component of the anchor along x_A from D (m).
     b_xy: T,
-    /// How the plane turns when the anchor moves across it (1/m): 1/b_xy, or 0 where it stands still.
+    /// Rate at which the plane turns as the anchor moves across it (1/m): 1/b_xy, or 0 for a fixed plane.
     pub(super) turning: T,
 }
 
@@ -39,7 +39,7 @@ impl<T: Real> PulleyPlane<T> {
         Self { swivel_axis, radial: scale(turning, across), b_z, b_xy, turning }
     }
 
-    /// Plane that stands still, with x_A = `side`.
+    /// Fixed plane, with x_A = `side`.
     #[inline(always)]
     pub(super) fn on_side(entry: [T; 3], swivel_axis: [T; 3], side: [T; 3], platform_anchor: [T; 3]) -> Self {
         let d = sub(platform_anchor, entry);
@@ -48,7 +48,7 @@ impl<T: Real> PulleyPlane<T> {
     }
 }
 
-/// CablePath over a pulley of radius r_p (m) whose swivel axis runs through D along the unit vector z_A (world).
+/// Path over a pulley of radius r_p (m) whose swivel axis runs through D along the unit vector z_A (world).
 ///
 /// x_A points from the axis to the platform anchor. Inside the pulley (b_M < r_p) the result is NaN.
 #[inline(always)]
@@ -56,10 +56,10 @@ pub fn path<T: Real>(entry: [T; 3], swivel_axis: [T; 3], radius: T, platform_anc
     path_in_plane(PulleyPlane::swivelling(entry, swivel_axis, radius, platform_anchor), radius)
 }
 
-/// CablePath over a pulley that does not swivel: its centre stands at D + r_p x_A, with the unit vector x_A = `side` (world).
+/// Path over a pulley that does not swivel: its centre lies at D + r_p x_A, with the unit vector x_A = `side` (world).
 ///
-/// For anchors in the plane of z_A and x_A. Inside the pulley, and on its open side (b_xy < 0, b_z > 0), where the cable would
-/// lift off, the result is NaN.
+/// For anchors in the plane of z_A and x_A. Inside the pulley, and on its open side (b_xy < 0, b_z > 0), where the
+/// cable would lift off, the result is NaN.
 #[inline(always)]
 pub fn path_on_side<T: Real>(
     entry: [T; 3],
@@ -69,7 +69,7 @@ pub fn path_on_side<T: Real>(
     platform_anchor: [T; 3],
 ) -> CablePath<T> {
     let plane = PulleyPlane::on_side(entry, swivel_axis, side, platform_anchor);
-    // a case without a branch: NaN in the last quadrant, else 0
+    // a branchless case: NaN in the last quadrant, else 0
     let open_side =
         radius.constant(0.0) * (radius.constant(1.5 * core::f64::consts::PI) - plane.b_xy.full_angle(plane.b_z)).sqrt();
     let mut path = path_in_plane(plane, radius);
@@ -77,8 +77,8 @@ pub fn path_on_side<T: Real>(
     path
 }
 
-/// With h = b_xy − r_p: q_f = √(h² + b_z² − r_p²), β = arg((q_f + i r_p)(b_z + i h)) in [0, 2π), q = q_f + r_p β and
-/// −u = cos β z_A + sin β x_A.
+/// Path with h = b_xy − r_p: q_f = √(h² + b_z² − r_p²), β = arg((q_f + i r_p)(b_z + i h)) in [0, 2π), q = q_f + r_p β
+/// and −u = cos β z_A + sin β x_A.
 #[inline(always)]
 fn path_in_plane<T: Real>(plane: PulleyPlane<T>, radius: T) -> CablePath<T> {
     let PulleyPlane { swivel_axis, radial, b_z, b_xy, turning } = plane;
@@ -113,10 +113,10 @@ fn path_in_plane<T: Real>(plane: PulleyPlane<T>, radius: T) -> CablePath<T> {
     }
 }
 
-/// Swivel angle of the pulley: of its plane about the swivel axis, right-handed, from `reference` (any length; what lies along
-/// the axis does not count), in (−π, π] (rad).
+/// Swivel angle of the pulley (rad, in (−π, π]): the angle of its plane about the swivel axis, right-handed, from the
+/// part of `reference` (any length) across the axis.
 ///
-/// `None` where it is not determined: the platform anchor or the reference lies on the axis.
+/// `None` if it is not determined: the platform anchor or the reference lies on the axis.
 pub fn swivel_angle(
     entry: [f64; 3],
     swivel_axis: [f64; 3],
@@ -131,7 +131,7 @@ pub fn swivel_angle(
     (num_traits::Float::hypot(sine, cosine) > ON_AXIS * scale).then(|| num_traits::Float::atan2(sine, cosine))
 }
 
-/// Why a pulley cannot be placed.
+/// Reason for which a pulley cannot be placed.
 #[derive(Clone, Copy, Debug, PartialEq, Error)]
 pub enum PlacementError {
     /// The cable runs back along the swivel axis, so every swivel angle fits.
@@ -142,10 +142,10 @@ pub enum PlacementError {
     ZeroLength,
 }
 
-/// Entry point D of a pulley whose contact point lies on `outlet` when the cable runs to `platform_anchor` (world, m).
+/// Entry point D (world, m) of a pulley whose contact point lies on `outlet` when the cable runs to `platform_anchor`.
 ///
-/// Anchors published for the point model are contact points, not D (sec. 3.8): D = C − r_p (1 − cos β) x_A − r_p sin β z_A
-/// with β in [0, π] from the cable's direction alone.
+/// Anchors published for the point model are contact points, not D (sec. 3.8):
+/// D = C − r_p (1 − cos β) x_A − r_p sin β z_A with β in [0, π] from the cable's direction alone.
 pub fn place(
     outlet: [f64; 3],
     swivel_axis: [f64; 3],
@@ -157,7 +157,7 @@ pub fn place(
     let across = sub(away, scale(cosine, swivel_axis));
     let sine = dot(across, across).sqrt();
     if sine < 1e-12 {
-        // along the axis the pulley is not touched; against it the cable turns by π in an unknown plane
+        // along the axis the cable does not touch the pulley; against it, the cable turns by π in an unknown plane
         return if cosine > 0.0 || radius == 0.0 { Ok(outlet) } else { Err(PlacementError::AlongAxis) };
     }
     let radial = scale(1.0 / sine, across);
@@ -170,7 +170,7 @@ fn direction(outlet: [f64; 3], platform_anchor: [f64; 3]) -> Result<[f64; 3], Pl
     if length > 0.0 { Ok(away) } else { Err(PlacementError::ZeroLength) }
 }
 
-/// [`place`] for a pulley that does not swivel, with x_A = `side`: every direction in its plane has a place.
+/// [`place`] for a pulley that does not swivel, with x_A = `side`; defined for any direction in its plane.
 pub fn place_on_side(
     outlet: [f64; 3],
     swivel_axis: [f64; 3],
@@ -183,7 +183,7 @@ pub fn place_on_side(
     Ok(entry_before(outlet, (swivel_axis, cosine), (side, sine), radius))
 }
 
-/// D from the contact point, with z_A and cos β, x_A and sin β.
+/// Entry point D from the contact point, with z_A and cos β, x_A and sin β.
 fn entry_before(
     outlet: [f64; 3],
     (swivel_axis, cosine): ([f64; 3], f64),

@@ -5,8 +5,8 @@
 //!
 //! (2L/σ) \[F − ½ p L + ψ(y) (L/σ)² (F (p·p) − p (F·p))\], ψ(y) = (atanh(√y)/√y − 1)/y = 1/3 + y/5 + y²/7 + …
 //!
-//! This is Irvine's solution (Cable Structures, 1981, ch. 1; Miermeister 2021, sec. 2.3) without its differences of nearly
-//! equal logarithms: it holds at any inclination, upright too, and for p = 0.
+//! This is Irvine's solution (Cable Structures, 1981, ch. 1; Miermeister 2021, sec. 2.3) without its differences of
+//! nearly equal logarithms: it holds at any inclination, upright too, and for p = 0.
 
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
@@ -26,7 +26,7 @@ pub(super) fn vector<T: Smooth>(state: &SpanState<T>, weight: [T; 3], stretch: &
     add(unstretched, along_chord(force, length, weight, stretch))
 }
 
-/// S and its derivatives along changes of state and weight, with everything they share computed once.
+/// S and its derivatives along changes of state and weight; shared terms are computed once.
 #[inline]
 pub(super) fn with_derivatives<const N: usize>(
     state: &SpanState<f64>,
@@ -46,19 +46,19 @@ pub(super) fn with_derivatives<const N: usize>(
     (vector, derivatives)
 }
 
-/// A span with everything that its derivatives share.
+/// A span with all terms that its derivatives share.
 struct Hanging<'a> {
     state: &'a SpanState<f64>,
     weight: [f64; 3],
     parts: Parts<f64>,
-    /// ψ and its slope.
+    /// ψ and its derivative by y.
     psi: (f64, f64),
     /// F − ½ p L + ψ (L/σ)² (F (p·p) − p (F·p)) (N): the span without stretch is 2 L/σ times this.
     inner: [f64; 3],
 }
 
 impl Hanging<'_> {
-    /// Derivative of the part without stretch.
+    /// Derivative of the part of S without stretch.
     #[inline]
     fn derivative(&self, change: &Change) -> [f64; 3] {
         let (force, length, weight) = (self.state.force, self.state.length, self.weight);

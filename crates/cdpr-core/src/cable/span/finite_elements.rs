@@ -1,8 +1,8 @@
 //! A chain of straight elastic elements of equal unstrained length, half of each weight at either end.
 //!
 //! With the force F at the outlet, the force in element k of n is τ(L (k + ½)/n): the integral of the catenary by the
-//! midpoint rule, whose error falls with 1/n². The weight at the first node counts into F, that at the last into the pull
-//! on the platform, so that the balance of the whole span holds exactly.
+//! midpoint rule, whose error falls with 1/n². The weight at the first node counts into F, that at the last into the
+//! pull on the platform, so that the balance of the whole span holds exactly.
 
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
@@ -12,7 +12,7 @@ use super::{Change, SpanState};
 use crate::cable::stretch::Stretch;
 use crate::scalar::{Smooth, add, dot, scale};
 
-/// The middle of an element, with its share of the length.
+/// The middle of an element, weighted with the element's fraction of the length.
 pub(super) fn node(element: usize, count: usize) -> Node {
     let fraction = 1.0 / count as f64;
     Node { at: (element as f64 + 0.5) * fraction, weight: fraction }
@@ -32,7 +32,7 @@ pub(super) fn vector<T: Smooth>(state: &SpanState<T>, weight: [T; 3], stretch: &
     sum
 }
 
-/// S and its derivatives along changes of state and weight, each element looked at once.
+/// S and its derivatives along changes of state and weight, in one pass over the elements.
 pub(super) fn with_derivatives<const N: usize>(
     state: &SpanState<f64>,
     weight: [f64; 3],
@@ -53,7 +53,7 @@ pub(super) fn with_derivatives<const N: usize>(
     (vector, derivatives)
 }
 
-/// 1/T + ε(T)/T and its derivative.
+/// 1/T + ε(T)/T and its derivative by T.
 fn factor(tension: f64, stretch: &Stretch) -> (f64, f64) {
     let (value, slope) = stretch.secant_compliance(tension);
     let inverse = 1.0 / tension;

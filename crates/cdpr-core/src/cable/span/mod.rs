@@ -1,14 +1,14 @@
-//! The free part of a cable that has weight: where its end comes to lie.
+//! The free part of a cable with weight: the vector between its ends.
 //!
-//! A span hangs from the outlet C with the force F (N) pulling at C, and has the unstrained length L (m). With the weight p
-//! per unstrained length (N/m, a vector along gravity) the force at the unstrained distance s from C is τ(s) = F − p s, and
-//! its end lies at C + S,
+//! A span hangs from the outlet C with the force F (N) pulling at C, and has the unstrained length L (m). With the
+//! weight p per unstrained length (N/m, a vector along gravity) the force at the unstrained distance s from C is
+//! τ(s) = F − p s, and its end lies at C + S,
 //!
 //! S = ∫₀ᴸ (1 + ε(|τ|)) τ/|τ| ds.
 //!
-//! The state (F, L) determines everything: S, the pull −τ(L) on the platform and both end tensions. Nothing in it is
-//! singular for p → 0, where the span becomes the straight line S = L (1 + ε) F/|F|; the tension at one end would not do,
-//! since it belongs to two lengths.
+//! The state (F, L) determines everything: S, the pull −τ(L) on the platform and both end tensions. It is not singular
+//! for p → 0, where the span becomes the straight line S = L (1 + ε) F/|F|. The tension at one end would not do as a
+//! state, since two lengths have the same tension.
 
 mod catenary;
 mod finite_elements;
@@ -20,7 +20,7 @@ pub use state::{Change, SpanState};
 use super::stretch::Stretch;
 use crate::scalar::Smooth;
 
-/// How a span is computed.
+/// Model of a span.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub enum Shape {
     /// The exact integral: an elastic catenary (Irvine 1981).

@@ -3,7 +3,7 @@
 /// State of a span: the force at the outlet and the unstrained length.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct SpanState<T> {
-    /// F, with which the span pulls at its outlet (world, N).
+    /// F, the force of the span on its outlet (world, N).
     pub force: [T; 3],
     /// L (m).
     pub length: T,
@@ -23,7 +23,7 @@ pub struct Change {
 impl Change {
     const NONE: Self = Self { force: [0.0; 3], length: 0.0, weight: [0.0; 3] };
 
-    /// Changes of the state: the three components of the force, and the length.
+    /// Unit changes of the state: the three components of the force, and the length.
     pub const OF_STATE: [Self; 4] = [
         Self { force: [1.0, 0.0, 0.0], ..Self::NONE },
         Self { force: [0.0, 1.0, 0.0], ..Self::NONE },

@@ -1,4 +1,4 @@
-//! Integrals of a function of the tension along a span, by sums.
+//! Integrals of a function of the tension along a span, as weighted sums.
 
 #[cfg(not(feature = "std"))]
 use num_traits::Float as _;
@@ -7,7 +7,7 @@ use super::{Change, SpanState};
 use crate::cable::stretch::Stretch;
 use crate::scalar::{Smooth, add, dot, scale, sub};
 
-/// A point of a sum: its share of the length from the outlet, and its weight.
+/// A node of a sum: its position as a fraction of the length from the outlet, and its weight.
 #[derive(Clone, Copy, Debug)]
 pub(super) struct Node {
     pub(super) at: f64,
@@ -21,10 +21,10 @@ const GAUSS: [Node; 3] = [
     Node { at: 0.887_298_334_620_741_7, weight: 5.0 / 18.0 },
 ];
 
-/// The middle, which is exact for linear laws and the one point of laws with a memory.
+/// The midpoint, which is exact for linear laws and the one node of laws with a memory.
 const MIDDLE: [Node; 1] = [Node { at: 0.5, weight: 1.0 }];
 
-/// Points of the sum along a whole span.
+/// Nodes of the sum along a whole span.
 pub(super) fn nodes(stretch: &Stretch) -> &'static [Node] {
     match stretch.is_pointwise() {
         true => &GAUSS,
@@ -32,7 +32,7 @@ pub(super) fn nodes(stretch: &Stretch) -> &'static [Node] {
     }
 }
 
-/// ∫ ε(|τ|) τ/|τ| ds, what stretch adds to a span.
+/// ∫ ε(|τ|) τ/|τ| ds, the part of S that stretch adds (m).
 #[inline]
 pub(super) fn along_chord<T: Smooth>(force: [T; 3], length: T, weight: [T; 3], stretch: &Stretch) -> [T; 3] {
     let zero = [length.constant(0.0); 3];
@@ -63,7 +63,7 @@ pub(super) fn along_chord_derivative(
     })
 }
 
-/// ∫ e(|τ|) τ/|τ| ds at these nodes, with e the change of the strain at a tension.
+/// ∫ e(|τ|) τ/|τ| ds over these nodes, with e the change of the strain at a tension.
 pub(super) fn by_number(
     nodes: impl Iterator<Item = Node>,
     state: &SpanState<f64>,
@@ -77,7 +77,7 @@ pub(super) fn by_number(
     })
 }
 
-/// Derivative of w L c(|τ|) τ for c with this value and slope.
+/// Derivative of w L c(|τ|) τ along a change, for a factor c with this value and slope.
 #[inline]
 pub(super) fn node_derivative(
     state: &SpanState<f64>,
@@ -96,7 +96,7 @@ pub(super) fn node_derivative(
     add(scale(along, tau), scale(node.weight * length * value, d_tau))
 }
 
-/// τ at a node.
+/// τ at a node (N).
 #[inline]
 pub(super) fn at<T: Smooth>(force: [T; 3], length: T, weight: [T; 3], node: &Node) -> [T; 3] {
     sub(force, scale(length * length.constant(node.at), weight))

@@ -1,21 +1,21 @@
 //! Hysteresis: a loading and an unloading branch, and a memory that leads from one to the other.
 //!
-//! Strands rub on each other, so a rope gives back less than it took: the same strain has more tension while it grows
-//! (dissertation, sec. 5.1 and Fig. 5.7). With the branches up(ε) ≥ down(ε) the law is
+//! Strands rub on each other, so a rope returns less energy than it took: at the same strain the tension is higher
+//! while it grows (dissertation, sec. 5.1 and Fig. 5.7). With the branches up(ε) ≥ down(ε) the law is
 //!
 //! f = ½(up + down) + ½(up − down)·S,  S = Σ wⱼ Sⱼ ∈ \[−1, 1\],  Σ wⱼ = 1.
 //!
 //! The Sⱼ are stop operators, Sⱼ ← clamp(Sⱼ + Δε/rⱼ, −1, 1): S = 1 on the loading branch, S = −1 on the unloading
-//! branch, and after the motion turned the share wⱼ of the way to the other branch is done within the strain 2 rⱼ.
+//! branch, and after a reversal the fraction wⱼ of the way to the other branch is covered within the strain 2 rⱼ.
 //! Stop operators are a memory of the Prandtl–Ishlinskii kind, hence of Preisach's (Brokate and Sprekels 1996, ch. 2).
-//! Taken instead of Bouc's and Wen's equation because with them
+//! They replace the Bouc–Wen equation because with them
 //!
-//! * a minor loop closes, and a larger one wipes it out: cables are worked in small cycles, and the state must not drift;
+//! * a minor loop closes, and a larger loop erases it: cables work in small cycles, and the state must not drift;
 //! * ∂f/∂ε = ½(1 + S) up′ + ½(1 − S) down′ + ½(up − down) S′ > 0 always, so that the law has an inverse;
-//! * a closed cycle loses energy or none, never gains: where the strain returns, S is nowhere above what it was;
-//! * nothing is integrated: the state after a monotone motion is a formula of its end.
+//! * a closed cycle loses energy or none, never gains: on return to a strain, S is never above its earlier value;
+//! * nothing is integrated: the state after a monotone motion is a formula of its end point.
 //!
-//! When both branches come together the memory does not show any more, in value or derivative.
+//! If both branches come together, the memory affects neither the tension nor its derivative.
 
 mod motion;
 
@@ -28,10 +28,10 @@ use crate::scalar::Select;
 /// Most stop operators of one law.
 pub const TRANSITION_LIMIT: usize = 8;
 
-/// Memory of a cable: its strain and the states Sⱼ of the stop operators there.
+/// Memory of a cable: its strain and the states Sⱼ of the stop operators at that strain.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Memory {
-    /// Strain at which the cable is.
+    /// Strain of the cable.
     pub strain: f64,
     /// States Sⱼ in \[−1, 1\]; those beyond the law's transitions have no effect.
     pub stops: [f64; TRANSITION_LIMIT],
@@ -54,7 +54,8 @@ impl Memory {
     }
 }
 
-/// Half sum and half difference of the branches over one piece: cubics of the strain beyond its start, by coefficients from the constant on (N).
+/// Half sum and half difference of the branches over one piece: cubics of the strain from its start, with coefficients
+/// from the constant upwards (N).
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Piece {
     /// Strain at which the piece begins.
@@ -68,9 +69,9 @@ pub struct Piece {
 /// One stop operator.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StopOperator {
-    /// 1/rⱼ, change of its state per strain.
+    /// 1/rⱼ, change of the operator's state per strain.
     pub rate: f64,
-    /// wⱼ; all add up to 1.
+    /// wⱼ; the weights add up to 1.
     pub weight: f64,
 }
 
@@ -83,25 +84,26 @@ struct Branches<T> {
     half_slope: T,
 }
 
-/// Law of two branches and their stops.
+/// Law of two branches and their stop operators.
 ///
-/// Below strain 0 the cable is straight without hysteresis; beyond the last knot the half sum goes on straight, and the
-/// difference as it began: wider in proportion, or narrower without ever changing its sign.
+/// Below strain 0 the cable is linear without hysteresis. Beyond the last knot the half sum continues along its
+/// tangent; the half difference grows linearly if it grew there, or decays without changing sign if it shrank.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Hysteresis {
     pieces: Table<Piece>,
     end: f64,
     /// Growth of the half difference per strain beyond the end (N).
     widening: f64,
-    /// 1/strain at which the half difference beyond the end has halved.
+    /// Relative rate at which the half difference beyond the end decays, 1/(strain at which it has halved).
     narrowing: f64,
-    /// Stops in use.
+    /// Stop operators in use.
     stops: Table<StopOperator>,
 }
 
 impl Hysteresis {
-    /// The law of these pieces, one after the other from strain 0, of which the last is this wide; at most [`TRANSITION_LIMIT`] stops. The branches
-    /// must rise, the loading one on top: asked where files are read, not here. `None` without a piece or with too many stops.
+    /// The law of these pieces, one after the other from strain 0, with `last_width` the strain width of the last
+    /// piece. The branches must rise, with the loading branch on top; this is checked where files are read, not here.
+    /// `None` without a piece or with more than [`TRANSITION_LIMIT`] stop operators.
     #[inline]
     pub fn new(pieces: Table<Piece>, last_width: f64, stops: Table<StopOperator>) -> Option<Self> {
         let last = pieces.last().filter(|_| stops.len() <= TRANSITION_LIMIT)?;
@@ -111,7 +113,7 @@ impl Hysteresis {
         Some(Self { end, widening: slope.max(0.0), narrowing, stops, pieces })
     }
 
-    /// Stops in use.
+    /// Stop operators in use.
     #[inline]
     pub fn stops(&self) -> &[StopOperator] {
         &self.stops
@@ -137,8 +139,8 @@ impl Hysteresis {
 
     /// Tension f (N) after a monotone motion from the memory's strain to this one, and ∂f/∂ε (N).
     ///
-    /// The derivative has steps where a stop comes to rest and where the motion turns; there it is the one towards more
-    /// strain.
+    /// The derivative is discontinuous where a stop comes to rest and where the motion reverses; there it is the
+    /// derivative towards larger strain.
     #[inline]
     pub fn tension<T: Select>(&self, strain: T, memory: &Memory) -> (T, T) {
         let branches = self.branches(strain);
@@ -147,7 +149,8 @@ impl Hysteresis {
         (branches.middle + branches.half * state, slope)
     }
 
-    /// Strain ε at which a tension (N) is reached from the memory, and ∂ε/∂f (1/N): the exact inverse of [`Hysteresis::tension`].
+    /// Strain ε at which a tension (N) is reached from the memory, and ∂ε/∂f (1/N): the exact inverse of
+    /// [`Hysteresis::tension`].
     #[inline]
     pub fn strain<T: Select>(&self, tension: T, memory: &Memory) -> (T, T) {
         let (zero, one) = (tension.constant(0.0), tension.constant(1.0));
@@ -174,7 +177,7 @@ impl Hysteresis {
     /// By the trapezoidal rule on `steps` equal steps each way.
     pub fn cycle_loss(&self, lower: f64, upper: f64, steps: usize) -> f64 {
         let at = |k: usize| lower + (upper - lower) * k as f64 / steps.max(1) as f64;
-        // one cycle before, so that the memory is that of the repeating one
+        // one cycle before, so that the memory has reached its repeating state
         let bottom = self.advance(lower, &self.advance(upper, &Memory::on_loading_branch(lower)));
         let top = self.advance(upper, &bottom);
         let gap = |k: usize| self.tension(at(k), &bottom).0 - self.tension(at(k), &top).0;

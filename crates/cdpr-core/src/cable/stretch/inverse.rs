@@ -2,16 +2,16 @@
 
 use crate::scalar::Select;
 
-/// Doublings that look for a strain with more tension.
+/// Most doublings in the search for a strain with more tension than the target.
 const DOUBLINGS: usize = 100;
 
-/// Newton steps and halvings; a law of kinks and pieces takes about ten.
+/// Most Newton steps and bisections; a law with kinks and pieces takes about ten.
 const STEPS: usize = 100;
 
 /// The strain ≥ 0 at which the rising `law` (tension and slope) has the tension `target` ≥ 0, and the slope there.
 ///
-/// Newton's iteration that halves where it would leave the bracket, until a step is below `smallest` as a share of the
-/// strain, and one step more; `start` > 0 is any strain of the right size.
+/// Newton's iteration with bisection where it would leave the bracket, until a step is below the fraction `smallest` of
+/// the strain, and one step more; `start` > 0 is any strain of the right magnitude.
 #[inline]
 pub(super) fn strain_of_tension<T: Select>(target: T, start: f64, smallest: f64, law: impl Fn(T) -> (T, T)) -> (T, T) {
     let mut lower = target.constant(0.0);
@@ -39,7 +39,7 @@ pub(super) fn strain_of_tension<T: Select>(target: T, start: f64, smallest: f64,
             break;
         }
     }
-    // the last step carries the derivatives of dual numbers, whichever way the value was found
+    // the last step carries the derivatives of dual numbers, however the value was found
     let (tension, slope) = law(strain);
     (strain - (tension - target) / slope, slope)
 }

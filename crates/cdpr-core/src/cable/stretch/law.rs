@@ -1,5 +1,5 @@
-//! Laws of stretch: the functions that each has in its own file, the questions that are put to whichever law a cable has, and the two laws
-//! without a file.
+//! Laws of stretch: the trait that every law implements, the questions that are put to the law of a cable, and the two
+//! laws without a file of their own.
 
 use super::hysteresis::Memory;
 
@@ -14,7 +14,7 @@ pub(super) trait Law {
     /// ε(T) and ∂ε/∂T (1/N).
     fn strain(&self, tension: f64) -> (f64, f64);
 
-    /// T(ε) and ∂T/∂ε (N), from a memory or that of the law; `None` for cables that keep their length.
+    /// T(ε) and ∂T/∂ε (N), from the given memory, else from that of the law; `None` for cables that keep their length.
     fn tension(&self, strain: f64, memory: Option<&Memory>) -> Option<(f64, f64)>;
 
     /// ε(T)/T (1/N) and its derivative.
@@ -28,7 +28,8 @@ pub(super) trait Law {
         (secant, (slope - secant) / tension)
     }
 
-    /// ∂ε/∂p at fixed tension by one of its numbers, counted from 0; 0 for a number that it does not have.
+    /// ∂ε/∂p at fixed tension by the law's parameter with index `number`, counted from 0; 0 if the law has no such
+    /// parameter.
     #[inline]
     fn strain_by_number(&self, _tension: f64, _number: usize) -> f64 {
         0.0

@@ -1,7 +1,8 @@
 //! Tension of a cable as a function of its strain, and back, one file per law.
 //!
-//! Each law rises strictly, so every tension has one strain. Below strain 0 and beyond its end each goes on straight,
-//! so that iterations may pass through any number. Strain is the lengthening divided by the length it is counted from,
+//! Each law rises strictly, so each tension has one strain. Below strain 0 and beyond its end each law continues along
+//! its tangent, so that iterations may pass through any number. Strain is the lengthening divided by the unstrained
+//! length,
 //! dimensionless.
 //!
 //! A law is a file with its formula, a variant of [`Stretch`], and a line in its method `answer`.
@@ -20,8 +21,8 @@ use law::{Inextensible, IsPointwise, Law, Proportional, Question, SecantComplian
 use polynomial::Polynomial;
 use two_piece::TwoPiece;
 
-/// The stretch of a piece of cable by its unstrained length, at a memory where it has one. Immutable, and copied without allocation:
-/// what a cable comes to remember is told by [`Stretch::memory_at`], and kept by whoever asks.
+/// Law of stretch of a piece of cable by its unstrained length, at a memory if the law has one. Immutable, and copied
+/// without allocation: [`Stretch::memory_at`] returns the memory after a motion, for the caller to keep.
 #[derive(Clone, Debug, PartialEq)]
 pub enum Stretch {
     /// Cables keep their length.
@@ -32,18 +33,18 @@ pub enum Stretch {
     Polynomial(Polynomial),
     /// Tension has two slopes that meet at a strain.
     TwoPiece(TwoPiece<f64>),
-    /// Tension depends on the strains before; the memory is where they led to.
+    /// Tension depends on past strains; the memory is the state that they led to.
     Hysteresis(Hysteresis, Memory),
 }
 
-/// A law with a memory, and where that led to.
+/// A law with a memory and the state of that memory.
 struct Remembering<'a> {
     law: &'a Hysteresis,
     memory: &'a Memory,
 }
 
 impl Law for Remembering<'_> {
-    // one strain for a piece of cable, since it has one memory
+    // a piece of cable has one memory, therefore one strain
     const IS_POINTWISE: bool = false;
 
     #[inline]
@@ -58,7 +59,7 @@ impl Law for Remembering<'_> {
 }
 
 impl Stretch {
-    /// Answer of the law to a question: the one place that names every law.
+    /// Answer of the law to a question; the only place that lists every law.
     #[inline]
     fn answer<Q: Question>(&self, question: Q) -> Q::Answer {
         match self {
@@ -88,7 +89,7 @@ impl Stretch {
         self.answer(Strain(tension))
     }
 
-    /// T(ε) and ∂T/∂ε (N), from a memory or that of the law; `None` for cables that keep their length.
+    /// T(ε) and ∂T/∂ε (N), from the given memory, else from that of the law; `None` for cables that keep their length.
     #[inline]
     pub fn tension(&self, strain: f64, memory: Option<&Memory>) -> Option<(f64, f64)> {
         self.answer(Tension(strain, memory))
@@ -100,7 +101,8 @@ impl Stretch {
         self.answer(SecantCompliance(tension))
     }
 
-    /// ∂ε/∂p at fixed tension by a number of the law, counted from 0; 0 for a number that it does not have.
+    /// ∂ε/∂p at fixed tension by the law's parameter with index `number`, counted from 0; 0 if the law has no such
+    /// parameter.
     #[inline]
     pub fn strain_by_number(&self, tension: f64, number: usize) -> f64 {
         self.answer(StrainByNumber(tension, number))
@@ -115,7 +117,7 @@ impl Stretch {
         }
     }
 
-    /// The law at another memory; itself where it has none.
+    /// The law at another memory; unchanged if it has none.
     #[must_use]
     #[inline]
     pub fn with_memory(&self, memory: &Memory) -> Self {
@@ -125,7 +127,7 @@ impl Stretch {
         }
     }
 
-    /// Memory that the law starts from.
+    /// Memory that the law starts from; `None` for laws without one.
     #[inline]
     pub fn memory(&self) -> Option<&Memory> {
         match self {

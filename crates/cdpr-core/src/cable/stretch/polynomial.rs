@@ -9,7 +9,7 @@ use super::inverse::strain_of_tension;
 use super::law::Law;
 use crate::scalar::Select;
 
-/// A polynomial that rises from strain 0 to its end, and goes on straight on both sides with the slopes there.
+/// A polynomial that rises from strain 0 to its end, continued on both sides by its tangents there.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Polynomial {
     coefficients: Table<f64>,
@@ -17,8 +17,8 @@ pub struct Polynomial {
 }
 
 impl Polynomial {
-    /// The law f = Σ cₖ εᵏ with `coefficients` c₁, c₂, … (N), which must rise up to the strain `end`: asked where files are read, not
-    /// here.
+    /// The law f = Σ cₖ εᵏ with `coefficients` c₁, c₂, … (N), which must rise up to the strain `end`; this is checked
+    /// where files are read, not here.
     #[inline]
     pub fn rising_to(end: f64, coefficients: Table<f64>) -> Self {
         Self { coefficients, end }
@@ -30,7 +30,7 @@ impl Polynomial {
         &self.coefficients
     }
 
-    /// Strain from which on the law is straight.
+    /// Strain beyond which the law is linear.
     #[inline]
     pub fn end(&self) -> f64 {
         self.end
@@ -57,7 +57,7 @@ impl Polynomial {
         let (zero, one) = (tension.constant(0.0), tension.constant(1.0));
         let Some(&stiffness) = self.coefficients.first() else { return (zero, zero) };
         let at_zero = tension.constant(1.0 / stiffness);
-        // a cable that stiffens has less strain than a linear one; the start may be any positive strain
+        // a cable that stiffens has less strain than a linear one; any positive strain may be the start
         let start = 1e-2;
         // a smooth law: after a step of 1e-8 the next one is rounding
         let (strain, slope) = strain_of_tension(tension.max(zero), start, 1e-8, |strain| self.tension(strain));

@@ -1,16 +1,16 @@
-//! Tables of laws: constants of a program without a heap, or claimed once and shared.
+//! Tables of laws: constants of a program without a heap, or allocated once and shared.
 
 use core::fmt;
 use core::ops::Deref;
 #[cfg(feature = "std")]
 use std::sync::Arc;
 
-/// Entries that many cables read; copied without copying them.
+/// Entries that many cables read; a copy shares them.
 #[derive(Clone)]
 pub enum Table<T: 'static> {
     /// A constant of the program: generated code, control kernels.
     Constant(&'static [T]),
-    /// Claimed once, when a robot was read.
+    /// Allocated once, when a robot was read.
     #[cfg(feature = "std")]
     Shared(Arc<[T]>),
 }

@@ -1,12 +1,13 @@
 //! Two pieces: soft below the strain of a knee, stiff above, f = c₁ ε up to ε_k, f = c₁ ε_k + c₂ (ε − ε_k) beyond.
 //!
-//! Ropes whose strands settle first and carry then. The force is continuous, its slope has a step at the knee, where it is that of below.
+//! For ropes whose strands first settle and then carry. The tension is continuous; its slope jumps at the knee, where
+//! it counts as c₁.
 
 use super::hysteresis::Memory;
 use super::law::Law;
 use crate::scalar::Select;
 
-/// The law, by its three numbers in their order.
+/// The law by its three parameters, in their order.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TwoPiece<T> {
     /// c₁, axial stiffness below the knee (N).
@@ -18,7 +19,7 @@ pub struct TwoPiece<T> {
 }
 
 impl<T: Select> TwoPiece<T> {
-    /// Tension f (N) at a strain and the stiffness ∂f/∂ε (N); below strain 0 as below the knee.
+    /// Tension f (N) at a strain and the stiffness ∂f/∂ε (N); below strain 0 with the slope c₁.
     #[inline]
     pub fn tension(&self, strain: T) -> (T, T) {
         let Self { below, above, knee } = *self;
@@ -81,7 +82,7 @@ mod tests {
         Dual::new(value, Derivative::some(SVector::<f64, 4>::ith(index, 1.0)))
     }
 
-    /// The law with its numbers as the first three variables.
+    /// The law with its parameters as the first three variables.
     fn dual() -> TwoPiece<Dual> {
         TwoPiece { below: variable(LAW.below, 0), above: variable(LAW.above, 1), knee: variable(LAW.knee, 2) }
     }
@@ -95,7 +96,7 @@ mod tests {
         for tension in [-300.0, 0.0, 150.0, 199.0, 200.0, 201.0, 9000.0] {
             let (strain, compliance) = LAW.strain(tension);
             let (found, stiffness) = LAW.tension(strain);
-            // rounding of the tension at the knee, 200 N
+            // rounding relative to the tension at the knee, 200 N
             assert!((found - tension).abs() <= 1e-12 * f64::max(200.0, f64::abs(tension)), "{tension}: {found}");
             assert!(tension == 200.0 || (compliance * stiffness - 1.0).abs() < 1e-14, "{tension}");
         }
@@ -127,7 +128,7 @@ mod tests {
         }
     }
 
-    /// With equal slopes the knee is none: strains, tensions and slopes are those of the linear law.
+    /// With equal slopes there is no knee: strains, tensions and slopes are those of the linear law.
     #[test]
     fn equal_slopes_are_the_linear_law() {
         let (two_piece, linear) =

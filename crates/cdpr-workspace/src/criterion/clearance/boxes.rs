@@ -1,10 +1,10 @@
-//! Segments and boxes.
+//! Distances between segments and boxes.
 
 use nalgebra::Vector3;
 
 use super::Segment;
 
-/// A box along the world's axes (m); an infinite half extent leaves an axis out.
+/// A box along the world's axes (m); an infinite half extent leaves the box unbounded along an axis.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(crate) struct AxisBox {
     pub(crate) center: Vector3<f64>,
@@ -12,14 +12,14 @@ pub(crate) struct AxisBox {
 }
 
 impl AxisBox {
-    /// Distance of a segment from the box (m); below zero where it goes through: how deep its deepest point lies below the nearest
-    /// face.
+    /// Distance of a segment from the box (m); if it passes through, minus the depth of its deepest point below the
+    /// nearest face.
     pub(crate) fn distance(&self, segment: &Segment) -> f64 {
         let outside = self.outside(segment);
         if outside > 0.0 { outside } else { self.depth(segment).min(0.0) }
     }
 
-    /// Its corners (m), those of a cross-section where an axis is left out.
+    /// Corners of the box (m), or of a cross-section if an axis is unbounded.
     pub(crate) fn corners(&self) -> Vec<Vector3<f64>> {
         let half = self.half_extent.map(|half| if half.is_finite() { half } else { 0.0 });
         let sign = |corner: usize, axis: usize| if corner >> axis & 1 == 1 { 1.0 } else { -1.0 };
@@ -59,13 +59,13 @@ impl AxisBox {
         nearest
     }
 
-    /// Distance of a point, counted from the centre, that lies outside; 0 inside.
+    /// Distance of a point, relative to the centre, from the box; 0 inside.
     fn distance_of_point(&self, point: &Vector3<f64>) -> f64 {
         Vector3::from_fn(|axis, _| (point[axis].abs() - self.half_extent[axis]).max(0.0)).norm()
     }
 
-    /// min over the segment of max over faces of the way out: of a maximum of lines, the least is where two of them meet, or at an
-    /// end.
+    /// min over the segment of the max over faces of the distance to leave through them: the least value of a maximum
+    /// of lines lies where two of them meet, or at an end.
     fn depth(&self, segment: &Segment) -> f64 {
         let (start, way) = (segment.from - self.center, segment.to - segment.from);
         let axes: Vec<usize> = (0..3).filter(|&axis| self.half_extent[axis].is_finite()).collect();
@@ -94,7 +94,7 @@ mod tests {
 
     use super::*;
 
-    /// Against 2000 points of the segment, a step of which is 2 mm at most.
+    /// Against 2000 points of the segment, at most 2 mm apart.
     #[test]
     fn distances_and_depths_are_those_of_densely_sampled_points() {
         let mut rng = ChaCha8Rng::seed_from_u64(82);

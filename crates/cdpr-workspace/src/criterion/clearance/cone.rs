@@ -1,4 +1,4 @@
-//! The directions from a point into a convex body.
+//! The cone of directions from a point into a convex body.
 
 use nalgebra::Vector3;
 
@@ -7,7 +7,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// The cone of directions from an apex to the points of a convex body, by the outward normals of its sides.
 ///
-/// It is all of space, without sides, where the apex lies inside the body.
+/// It is all of space, without sides, if the apex lies inside the body.
 #[derive(Clone, Debug, PartialEq)]
 pub(crate) struct Cone {
     sides: Vec<Vector3<f64>>,
@@ -16,8 +16,8 @@ pub(crate) struct Cone {
 impl Cone {
     /// The cone from `apex` over the convex hull of the points; `plane_normal` for bodies in a plane.
     ///
-    /// Each side holds two edges, directions to points, and has all others on one hand: every pair is tried. A body without volume
-    /// has a flat cone, whose sides are both hands of its plane and the ones across its edges.
+    /// Each side contains two edges (directions to points) and has all others on one side: every pair is tried. A body
+    /// without volume has a flat cone, whose sides are both orientations of its plane and those across its edges.
     pub(crate) fn over(apex: &Vector3<f64>, points: &[Vector3<f64>], plane_normal: Option<Vector3<f64>>) -> Self {
         let size = points.iter().map(|point| (point - apex).norm()).fold(0.0, f64::max);
         let far = points.iter().map(|point| point - apex).filter(|way| way.norm() > ROUNDING * size);
@@ -34,7 +34,7 @@ impl Cone {
         cone
     }
 
-    /// Keeps ±normal as a side where no edge lies beyond it.
+    /// Keeps ±normal as a side if no edge lies beyond it.
     fn try_side(&mut self, normal: &Vector3<f64>, edges: &[Vector3<f64>]) {
         let length = normal.norm();
         if length < ROUNDING {
@@ -48,7 +48,7 @@ impl Cone {
         }
     }
 
-    /// A cone between two opposite sides is flat, and needs the sides across its edges too.
+    /// A cone between two opposite sides is flat and needs the sides across its edges too.
     fn add_edges_of_flat(&mut self, edges: &[Vector3<f64>]) {
         let flat = self.sides.iter().find(|side| self.sides.iter().any(|other| (*side + other).norm() < ROUNDING));
         if let Some(normal) = flat.copied() {
@@ -56,13 +56,13 @@ impl Cone {
         }
     }
 
-    /// True when the apex lies inside the body.
+    /// True if the apex lies inside the body.
     pub(crate) fn is_everything(&self) -> bool {
         self.sides.is_empty()
     }
 
-    /// Angle between a unit direction and the nearest side (rad): from the outside above zero, where it is at most the angle to the
-    /// cone and equals it beside a side; from the inside below zero and exact. −π/2 where the cone is everything.
+    /// Angle between a unit direction and the nearest side (rad). Outside it is positive, at most the angle to the cone
+    /// and equal to it beside a side; inside it is negative and exact. −π/2 if the cone is all of space.
     pub(crate) fn angle(&self, direction: &Vector3<f64>) -> f64 {
         let sine = self.sides.iter().map(|side| side.dot(direction)).fold(-1.0, f64::max);
         sine.clamp(-1.0, 1.0).asin()
@@ -80,7 +80,7 @@ mod tests {
         (0..8).map(|k| Vector3::new(f64::from(k & 1), f64::from(k >> 1 & 1), f64::from(k >> 2))).collect()
     }
 
-    /// From a corner of a cube the cone is an octant, from the middle of a face a half-space, from inside everything.
+    /// From a corner of a cube the cone is an octant, from the middle of a face a half-space, from inside all of space.
     #[test]
     fn the_cones_of_a_cube_are_known() {
         let diagonal = Vector3::repeat(1.0).normalize();

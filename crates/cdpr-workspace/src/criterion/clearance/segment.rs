@@ -10,7 +10,7 @@ pub(crate) struct Segment {
 }
 
 impl Segment {
-    /// The point at a part of the way, 0 to 1.
+    /// The point at the fraction `part` of the segment, 0 to 1.
     pub(super) fn at(&self, part: f64) -> Vector3<f64> {
         self.from + (self.to - self.from) * part
     }
@@ -25,30 +25,31 @@ impl Segment {
 
     /// Distance of another segment (m).
     ///
-    /// Either an end is nearest, or the common perpendicular of the two lines is.
+    /// The nearest points are an end of one segment, or the feet of the common perpendicular of the two lines.
     pub(crate) fn distance(&self, other: &Self) -> f64 {
         self.perpendicular(other).map_or(f64::INFINITY, |(_, length)| length).min(self.distance_of_ends(other))
     }
 
-    /// Distance of a segment in the same plane (m); below zero where they cross, by how far one has to be moved along itself or the
-    /// other one for them to part: continuous through the crossing.
+    /// Distance of a segment in the same plane (m). If they cross, minus the least length by which one has to be moved
+    /// along itself or along the other one to part them: continuous through the crossing.
     pub(crate) fn distance_in_plane(&self, other: &Self) -> f64 {
         let ends = self.distance_of_ends(other);
         if self.perpendicular(other).is_some() { -ends } else { ends }
     }
 
-    /// Least distance of an end to the other segment.
+    /// Least distance of an end to the other segment (m).
     fn distance_of_ends(&self, other: &Self) -> f64 {
         let mine = self.distance_to_point(&other.from).min(self.distance_to_point(&other.to));
         mine.min(other.distance_to_point(&self.from)).min(other.distance_to_point(&self.to))
     }
 
-    /// Foot of the common perpendicular on this segment (0 to 1), and its length (m); `None` where it does not meet both.
+    /// Position of the foot of the common perpendicular on this segment (0 to 1), and its length (m); `None` if it does
+    /// not meet both.
     fn perpendicular(&self, other: &Self) -> Option<(f64, f64)> {
         let (u, v, between) = (self.to - self.from, other.to - other.from, other.from - self.from);
         let normal = u.cross(&v);
         let square = normal.norm_squared();
-        // of parallel segments an end is among the nearest points
+        // for parallel segments an end is among the nearest points
         if !(square > 1e-24 * u.norm_squared() * v.norm_squared()) {
             return None;
         }
@@ -70,7 +71,7 @@ mod tests {
         Vector3::from_fn(|_, _| rng.random_range(-1.0..1.0))
     }
 
-    /// 400 × 400 points: off by at most half a step of 3.5/400 m at the nearest points, in either segment.
+    /// 400 × 400 points: off by at most half a step of 3.5/400 m at the nearest points, on either segment.
     #[test]
     fn distances_are_those_of_densely_sampled_points() {
         let mut rng = ChaCha8Rng::seed_from_u64(81);

@@ -1,10 +1,10 @@
-//! Convex bodies of few corners against boxes and struts.
+//! Distances of convex bodies with few corners from boxes and struts.
 
 use nalgebra::Vector3;
 
 use super::{AxisBox, Segment};
 
-/// Sines and shares of the size below this are rounding.
+/// Sines and fractions of the size below this are rounding.
 const ROUNDING: f64 = 1e-9;
 
 /// The convex hull of points.
@@ -13,9 +13,9 @@ pub(crate) struct Solid {
     points: Vec<Vector3<f64>>,
     /// Triples of points that span a face.
     faces: Vec<[usize; 3]>,
-    /// Pairs of points among which all edges are.
+    /// Pairs of points that include all edges.
     edges: Vec<[usize; 2]>,
-    /// Of a body in a plane its normal.
+    /// Normal of a body in a plane.
     plane_normal: Option<Vector3<f64>>,
 }
 
@@ -23,7 +23,7 @@ pub(crate) struct Solid {
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Other {
     Box(AxisBox),
-    /// Its axis; the radius is the caller's.
+    /// Axis of the strut; the caller adds its radius.
     Strut(Segment),
 }
 
@@ -37,7 +37,7 @@ impl Solid {
             Some(_) => Vec::new(),
         };
         let pairs = (0..count).flat_map(|a| (a + 1..count).map(move |b| [a, b]));
-        // points in a plane or on a line have few pairs anyway
+        // points in a plane or on a line have few pairs
         let is_edge =
             |pair: &[usize; 2]| faces.is_empty() || faces.iter().any(|face| pair.iter().all(|end| face.contains(end)));
         let edges = pairs.filter(is_edge).collect();
@@ -49,10 +49,10 @@ impl Solid {
         Self { points: self.points.iter().map(motion).collect(), ..self.clone() }
     }
 
-    /// Distance from the other body (m); where they overlap minus the shortest way that parts them.
+    /// Distance from the other body (m); if they overlap, minus the shortest translation that parts them.
     ///
-    /// Two convex bodies are parted across a normal that stands on two of their edges, if they can be: of all these the least
-    /// overlap is the depth. Where they are apart, a corner is nearest to a face, or an edge to an edge.
+    /// Two convex bodies that can be parted are parted along a normal to two of their edges: the depth is the least
+    /// overlap along these normals. If they are apart, the nearest points are a corner and a face, or two edges.
     pub(crate) fn distance(&self, other: &Other) -> f64 {
         let size = self.points.iter().map(|point| (point - self.points[0]).norm()).fold(0.0, f64::max);
         match self.depth(other) {
@@ -61,7 +61,7 @@ impl Solid {
         }
     }
 
-    /// The least overlap along any normal; not above 0 as soon as one is none.
+    /// The least overlap along any normal (m); 0 or less as soon as one normal parts the bodies.
     fn depth(&self, other: &Other) -> f64 {
         let mut least = f64::INFINITY;
         self.visit_normals(other, |normal| {
@@ -72,7 +72,8 @@ impl Solid {
         if least.is_finite() { least } else { 0.0 }
     }
 
-    /// Shows unit normals that stand on two edges, across one of which the bodies part, if they can, until one is answered with false.
+    /// Visits unit normals to two edges, one of which parts the bodies if any direction does, until `visit` returns
+    /// false.
     fn visit_normals(&self, other: &Other, mut visit: impl FnMut(&Vector3<f64>) -> bool) {
         let mine = distinct(self.edges.iter().map(|[a, b]| self.points[*b] - self.points[*a]));
         let others = match other {
@@ -86,7 +87,7 @@ impl Solid {
         let mut goes_on = |normal: Vector3<f64>| !(normal.norm() > ROUNDING) || visit(&normal.normalize());
         match self.plane_normal {
             Some(normal) => {
-                // a plane has one normal on each edge
+                // in a plane each edge has one normal
                 let _ = all.iter().all(|edge| goes_on(normal.cross(edge)));
             }
             None => {
@@ -101,8 +102,8 @@ impl Solid {
         [along().fold(f64::INFINITY, f64::min), along().fold(f64::NEG_INFINITY, f64::max)]
     }
 
-    /// Interval (m) of the body's way along a direction of length 1 on which it overlaps with a box: overlap along every normal,
-    /// each of them linear.
+    /// Interval (m) of a translation along a direction of length 1 in which the body overlaps with a box: overlap along
+    /// every normal, each of them linear.
     pub(crate) fn overlap_along(&self, other: &Other, direction: &Vector3<f64>) -> [f64; 2] {
         let mut overlap = [f64::NEG_INFINITY, f64::INFINITY];
         self.visit_normals(other, |normal| {
@@ -121,7 +122,7 @@ impl Solid {
         overlap
     }
 
-    /// The distance of bodies that do not overlap.
+    /// The distance of bodies that do not overlap (m).
     fn gap(&self, other: &Other) -> f64 {
         let edges = self.edges.iter().map(|[a, b]| Segment { from: self.points[*a], to: self.points[*b] });
         let of_edges = edges.map(|edge| match other {
@@ -158,7 +159,7 @@ impl Other {
     }
 }
 
-/// Whether all points lie on one side of the plane of three.
+/// True if all points lie on one side of the plane through three of them.
 fn is_face(points: &[Vector3<f64>], [a, b, c]: &[usize; 3]) -> bool {
     let (u, v) = (points[*b] - points[*a], points[*c] - points[*a]);
     let normal = u.cross(&v);
@@ -170,7 +171,7 @@ fn is_face(points: &[Vector3<f64>], [a, b, c]: &[usize; 3]) -> bool {
     heights().all(|height| height <= ROUNDING * size) || heights().all(|height| height >= -ROUNDING * size)
 }
 
-/// Height of a point over a triangle, where its foot lies within (m).
+/// Height of a point over a triangle (m); `None` if its foot lies outside.
 fn above([a, b, c]: &[Vector3<f64>; 3], point: &Vector3<f64>) -> Option<f64> {
     let normal = (b - a).cross(&(c - a));
     let is_within =
@@ -178,7 +179,7 @@ fn above([a, b, c]: &[Vector3<f64>; 3], point: &Vector3<f64>) -> Option<f64> {
     is_within.then(|| normal.normalize().dot(&(point - a)).abs())
 }
 
-/// Directions of length 1, each but once whatever its sense.
+/// Directions of length 1, where opposite ones count as the same and appear once.
 fn distinct(ways: impl Iterator<Item = Vector3<f64>>) -> Vec<Vector3<f64>> {
     let mut known: Vec<Vector3<f64>> = Vec::new();
     for way in ways.filter(|way| way.norm() > 0.0).map(|way| way.normalize()) {
@@ -196,8 +197,8 @@ mod tests {
 
     use super::*;
 
-    /// The signed distance of convex bodies is the largest gap between their shadows on a line: over 3000 lines, the best of which
-    /// is turned on by ever smaller steps.
+    /// The signed distance of convex bodies is the largest gap between their projections on a line: over 3000 lines,
+    /// the best of which is turned further by ever smaller steps.
     fn by_shadows(solid: &Solid, other: &Other, rng: &mut ChaCha8Rng) -> f64 {
         let mut random = || Vector3::from_fn(|_, _| rng.random_range(-1.0..1.0));
         let value = |normal: &Vector3<f64>| {
@@ -216,7 +217,7 @@ mod tests {
         best.0
     }
 
-    /// The search stops within some 1e-4 of the size below the maximum, at whose edges it is slow.
+    /// The search stops within some 1e-4 of the size below the maximum, where it is slow at edges.
     #[test]
     fn distances_and_depths_are_the_largest_gaps_between_shadows() {
         let mut rng = ChaCha8Rng::seed_from_u64(84);

@@ -1,4 +1,4 @@
-//! Lengths, wraps and distances against points sampled along the cables.
+//! Lengths, wraps and distances, checked with points sampled along the cables.
 
 use super::*;
 use cdpr_model::robot::{Pulley, WrapSide};
@@ -72,7 +72,7 @@ fn cables_are_as_far_from_obstacles_as_their_sampled_points() {
     assert!(through > 5 && past > 5, "{through} {past}");
 }
 
-/// An obstacle that carries a cable's outlet does not count for that cable, and does for others.
+/// An obstacle that carries a cable's outlet is not judged against that cable, but against others.
 #[test]
 fn an_obstacle_under_a_frame_anchor_carries_it() {
     let mut robot = complete("cablerobot-simulator-helicopter");
@@ -91,7 +91,7 @@ fn an_obstacle_under_a_frame_anchor_carries_it() {
     assert!(verdict.reason.unwrap().contains("\"post\""));
 }
 
-/// Towards the platform's middle a cable runs into it; the hull of the anchors says so.
+/// A cable towards the platform's middle runs into the platform; the hull of the anchors shows it.
 #[test]
 fn a_cable_that_runs_through_the_platform_is_found() {
     let mut robot = complete("cablerobot-simulator-helicopter");
@@ -103,7 +103,7 @@ fn a_cable_that_runs_through_the_platform_is_found() {
     let verdict = PlatformInterference::new(&model, 0.0).unwrap().judge(&home);
     assert_eq!((verdict.holds(), verdict.cable), (false, Some(4)), "{verdict:?}");
     assert!(verdict.reason.unwrap().contains("runs into the platform"));
-    // sampled: 1 mm along the cable it is below all planes through faces at the anchor; a larger body is met too
+    // sampled: 1 mm along the cable it is below all planes through faces at the anchor; it meets a larger body too
     let mut large = model.robot().clone();
     let away = |k: i32| Vector3::new(f64::from(k & 1) - 0.5, f64::from(k >> 1 & 1) - 0.5, f64::from(k >> 2) - 0.5);
     large.platform.hull = Some((0..8).map(|k| middle + away(k) * 0.05).collect());
@@ -112,8 +112,8 @@ fn a_cable_that_runs_through_the_platform_is_found() {
     assert_eq!((small_body.holds(), small_body.cable), (false, Some(4)), "{small_body:?}");
 }
 
-/// Points sampled on the platform's surface and in a crate are no nearer to each other than the margin says, and moved by as much
-/// as it says, an overlap is gone.
+/// Points sampled on the platform's surface and in a crate are no nearer to each other than the margin, and a
+/// translation by minus the margin removes an overlap.
 #[test]
 fn a_platform_is_as_far_from_obstacles_as_its_sampled_points() {
     let mut robot = complete("cablerobot-simulator-helicopter");
@@ -135,7 +135,7 @@ fn a_platform_is_as_far_from_obstacles_as_its_sampled_points() {
             let outside = Vector3::from_fn(|axis, _| (min[axis] - point[axis]).max(point[axis] - max[axis]).max(0.0));
             nearest = nearest.min(outside.norm());
         }
-        // of 4000 points in 0.6 m³ one lies within 0.15 m of any
+        // of 4000 points in 0.6 m³ one lies within 0.15 m of any point
         assert!(nearest >= distance.max(0.0) - 1e-12 && nearest < distance.max(0.0) + 0.15, "{nearest} {distance}");
         *(if margin >= 0.0 { &mut held } else { &mut failed }) += 1;
     }
@@ -168,7 +168,7 @@ fn lengths_and_wraps_are_those_of_the_model() {
     assert!(wide.reason.unwrap().contains("at least 177.62°"));
 }
 
-/// Along a line into each trouble the margin falls to zero just where the paths end.
+/// Along a line into each degenerate pose, the margin falls to zero where the paths end.
 #[test]
 fn validity_ends_where_courses_end() {
     let mut planar = complete("planar-example");
@@ -198,7 +198,7 @@ fn validity_ends_where_courses_end() {
             assert_eq!(verdict.holds(), has_paths, "{verdict:?}");
             assert!(verdict.margin.is_finite() && verdict.margin.abs() < 10.0, "{verdict:?}");
             failed += usize::from(!has_paths);
-            // a margin of half a millimetre and more is not used up by a tenth
+            // a margin above half a millimetre is not exhausted by a step of a tenth
             if verdict.margin > 5e-4 {
                 let step = model.twist_basis()[0] * 1e-4;
                 assert!(criterion.holds(&pose.displaced(&step)) && criterion.holds(&pose.displaced(&-step)));

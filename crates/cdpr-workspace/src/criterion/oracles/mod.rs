@@ -55,7 +55,7 @@ fn model(name: &str, composition: Composition) -> Model {
     Model::new(complete(name), composition).unwrap()
 }
 
-/// Poses about home that the pattern can take, `reach` metres away on a robot whose cables are 5 m long.
+/// Poses about home that the pattern allows, up to `reach` metres away on a robot whose cables are 5 m long.
 fn poses(model: &Model, count: usize, reach: f64, seed: u64) -> Vec<Pose> {
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let home = model.robot().home_or_middle();
@@ -71,7 +71,7 @@ fn poses(model: &Model, count: usize, reach: f64, seed: u64) -> Vec<Pose> {
     (0..count).map(|_| pose()).collect()
 }
 
-/// All criteria of this folder for one model with pulleys or without.
+/// All criteria of this folder for one model, with pulleys or without.
 fn all(model: &Model) -> Vec<Box<dyn Criterion + '_>> {
     let (load, limits) = (Load::of(model.robot()).unwrap(), Limits::of(model.robot(), None, None).unwrap());
     let mut all: Vec<Box<dyn Criterion + '_>> = vec![
@@ -106,7 +106,7 @@ fn models() -> Vec<Model> {
     ]
 }
 
-/// Reasons exactly where a margin is below zero, the short answer is the long one, and margins are never NaN.
+/// There is a reason exactly if the margin is negative, `holds` agrees with `judge`, and margins are never NaN.
 #[test]
 fn verdicts_are_consistent_at_all_poses() {
     for model in models() {
@@ -128,7 +128,7 @@ fn verdicts_are_consistent_at_all_poses() {
     }
 }
 
-/// Steps of 1e-7 m and rad change a margin by little, relative to how far it goes over the poses.
+/// Steps of 1e-7 m and rad change a margin by little, relative to its range over the poses.
 #[test]
 fn margins_are_continuous() {
     for model in models() {
@@ -139,7 +139,7 @@ fn margins_are_continuous() {
             for (pose, margin) in poses.iter().zip(&margins).filter(|(_, margin)| margin.is_finite()) {
                 let step = model.twist_basis().iter().fold(Twist::zeros(), |sum, twist| sum + twist * 1e-7);
                 let next = criterion.judge(&pose.displaced(&step)).margin;
-                // −∞ beside a finite margin: tensions end here
+                // −∞ beside a finite margin: tensions cease to exist here
                 let change = (next - margin).abs();
                 let what = format!("{} of {}", criterion.name(), model.robot().name);
                 assert!(change < 1e-4 * size || next == f64::NEG_INFINITY, "{what}: {margin} {next}");
@@ -188,7 +188,7 @@ fn what_a_criterion_needs_and_the_file_lacks_is_named() {
     says(PlatformInterference::new(&inside, 0.0).map(drop), "hull_m");
 }
 
-/// Every entry of the registry makes the criterion of its name from a complete robot and the numbers that it needs.
+/// Every entry of the registry makes the criterion of its name from a complete robot and its required numbers.
 #[test]
 fn every_criterion_is_made_by_its_name() {
     let model = model("cucablerobot", Composition::PULLEY_ELASTIC);

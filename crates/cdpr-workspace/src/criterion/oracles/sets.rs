@@ -1,4 +1,4 @@
-//! Feasibility of sets against feasibility of wrenches one by one.
+//! Feasibility of sets against the feasibility of single wrenches.
 
 use super::*;
 use crate::wrench_set::{Payload, RequiredSet};
@@ -17,7 +17,7 @@ fn a_set_of_one_wrench_is_feasible_where_the_wrench_is() {
         let single = WrenchFeasible::new(&model, &load, &limits).unwrap();
         for pose in poses(&model, 150, 3.0, 101) {
             let (of_set, of_wrench) = (set.judge(&pose), single.judge(&pose));
-            // on the boundary, to 1e-6 of the limits, either is right
+            // on the boundary, to 1e-6 of the limits, either answer is right
             if of_wrench.margin.abs() > 9e-3 {
                 assert_eq!(of_set.holds(), of_wrench.holds(), "{}: {of_set:?} {of_wrench:?}", model.robot().name);
             }
@@ -25,7 +25,7 @@ fn a_set_of_one_wrench_is_feasible_where_the_wrench_is() {
     }
 }
 
-/// A set that holds means that every wrench sampled from it does; of one that fails, the wrench named by the margin does not.
+/// If a set holds, every wrench sampled from it is feasible; if it fails, the wrench named by the margin is not.
 #[test]
 fn a_set_is_feasible_where_all_its_wrenches_are() {
     let mut rng = ChaCha8Rng::seed_from_u64(102);
@@ -68,7 +68,8 @@ fn a_set_is_feasible_where_all_its_wrenches_are() {
     }
 }
 
-/// Static feasibility is dynamic feasibility without acceleration; more of it, or a wider range of masses, never helps.
+/// Static feasibility is dynamic feasibility without acceleration; a larger acceleration or range of masses never
+/// helps.
 #[test]
 fn what_can_be_accelerated_can_be_held() {
     let model = model("cablerobot-simulator-helicopter", Composition::STANDARD);

@@ -52,7 +52,7 @@ fn the_softest_direction_is_that_of_small_differences() {
             let symmetric = (&stiffness + stiffness.transpose()) * 0.5;
             let scaled = DMatrix::from_fn(model.dof(), model.dof(), |i, j| symmetric[(i, j)] * part(i) * part(j));
             let least = scaled.clone().symmetric_eigenvalues().min();
-            // differences of 1e5 N/m are good to 1e-3 N/m or so
+            // differences of 1e5 N/m are accurate to about 1e-3 N/m
             let tolerance = 1e-6 * scaled.amax();
             assert!((verdict.margin + 1000.0 - least).abs() < tolerance, "{}: {verdict:?} {least}", model.robot().name);
             assert!((stable.judge(&pose).margin - least).abs() < tolerance);
@@ -62,7 +62,7 @@ fn the_softest_direction_is_that_of_small_differences() {
     }
 }
 
-/// A weight far above the platform tips it over; far below it does not. Stability does not depend on the length scale.
+/// A weight far above the platform tips it over; one far below does not. Stability does not depend on the length scale.
 #[test]
 fn a_weight_above_the_platform_makes_it_unstable() {
     let verdict = |height: f64, scale: f64| {
@@ -77,7 +77,7 @@ fn a_weight_above_the_platform_makes_it_unstable() {
         assert_eq!(vibrations.holds(&home), verdict.holds());
         verdict
     };
-    // 100 kg · 9.81 m/s² · 1 km turns over what springs of 2e5 N/8 m at half a metre hold
+    // 100 kg · 9.81 m/s² · 1 km exceeds the stiffness of springs of 2e5 N/8 m at half a metre
     for scale in [0.1, 1.0, 10.0] {
         assert!(verdict(-1.0, scale).holds());
         let tipped = verdict(1000.0, scale);
@@ -85,7 +85,7 @@ fn a_weight_above_the_platform_makes_it_unstable() {
     }
 }
 
-/// A point on two pairs of springs: ω² = 4 k cos²/m along the axes of a square, by hand.
+/// A point on two pairs of springs: ω² = 4 k cos²/m along the axes of a square, computed by hand.
 #[test]
 fn the_frequency_of_a_point_on_springs_is_that_done_by_hand() {
     let mut robot = complete("planar-example");
@@ -107,8 +107,8 @@ fn the_frequency_of_a_point_on_springs_is_that_done_by_hand() {
     assert!(verdict.reason.unwrap().contains("along x, at least 2 Hz") || expected < 0.0);
 }
 
-/// det(K − ω² M) = 0 with M written down about the centre of mass, where it is diagonal blocks, and shifted by the theorem of
-/// Steiner through the velocity of that centre.
+/// det(K − ω² M) = 0 with M written about the centre of mass, where it has diagonal blocks, and shifted by Steiner's
+/// theorem through the velocity of that centre.
 #[test]
 fn the_lowest_frequency_solves_the_characteristic_equation() {
     let mut robot = complete("cogiro");
@@ -156,7 +156,7 @@ fn condition_and_dexterity_are_ratios_of_singular_values() {
             }
             let squares = (&matrix * matrix.transpose()).symmetric_eigenvalues();
             let ratio = (squares.max() / squares.min()).sqrt();
-            // squares lose half the digits
+            // squares halve the accurate digits
             assert!((condition.judge(&pose).margin - (3.0 - ratio)).abs() < 1e-6 * ratio.powi(2));
             assert!((dexterity.judge(&pose).margin - (1.0 / ratio - 1.0 / 3.0)).abs() < 1e-6);
             assert_eq!(condition.holds(&pose), dexterity.holds(&pose));

@@ -20,7 +20,7 @@ fn distance(a: [f64; 3], b: [f64; 3]) -> f64 {
     dot(d, d).sqrt()
 }
 
-/// Outlets of every kind with an axis that points anywhere; the anchor of the sided one lies in its plane.
+/// Outlets of every kind with an axis in any direction; the anchor of the sided one lies in its plane.
 fn outlets() -> impl Strategy<Value = (Outlet<f64>, [f64; 3])> {
     let place = [-4.0..4.0_f64, -4.0..4.0_f64, -4.0..4.0_f64];
     (0..3_usize, place.clone(), place.clone(), 0.0..0.4_f64, place).prop_filter_map(
@@ -51,7 +51,7 @@ fn outlets() -> impl Strategy<Value = (Outlet<f64>, [f64; 3])> {
 proptest! {
     #![proptest_config(property::cases(500))]
 
-    /// Both are exact, so only rounding separates them; it grows with how fast the direction turns.
+    /// Both sides are exact, so only rounding separates them; it grows with the rate at which the direction turns.
     #[test]
     fn jacobians_of_contact_points_agree_with_dual_numbers((outlet, anchor) in outlets()) {
         let path = outlet.path(anchor);
@@ -70,24 +70,26 @@ proptest! {
         }
     }
 
-    /// The free part runs from the contact point along −u, is tangent to the pulley there, and l = q_f u has ∂q_f = uᵀ J_l: what
-    /// eq. 2.86 as printed (+u J_qu) misses.
+    /// The free part runs from the contact point along −u and is tangent to the pulley there, and l = q_f u has ∂q_f =
+    /// uᵀ J_l, which eq. 2.86 as printed (+u J_qu) violates.
     #[test]
     fn the_free_part_begins_at_the_contact_point((outlet, anchor) in outlets()) {
         let path = outlet.path(anchor);
         let contact = outlet.contact(anchor, &path);
         let from_anchor = add(anchor, scale(path.free_length, path.direction));
-        // metres of a few units, to rounding
+        // coordinates of a few metres, to rounding
         prop_assert!(distance(contact.point, from_anchor) < 1e-13);
         let u = path.direction;
         let [x, y, z] = contact.point_by_anchor;
         let along = [0, 1, 2].map(|k| u[0] * x[k] + u[1] * y[k] + u[2] * z[k]);
         prop_assert!(distance(sub(along, u), contact.free_length_by_anchor) < 1e-12);
-        // the wrapped part is laid on: a contact point that moves in the plane moves along the cable, against its growth
+        // the wrapped part is unstretched: a contact point that moves in the plane moves along the cable, against the
+        // arc's growth
         prop_assert!(distance(along, scale(-1.0, contact.arc_length_by_anchor)) < 1e-12);
     }
 
-    /// The anchor moves to first order along the twist; free part and arc change by what the whole does, and l by p_A − p_B.
+    /// The anchor moves to first order along the twist; the changes of free part and arc add up to that of the whole,
+    /// and l changes by that of p_A − p_B.
     #[test]
     fn by_the_pose_parts_sum_to_the_whole((outlet, anchor) in outlets(), twist in proptest::array::uniform6(-1.0..1.0_f64)) {
         let path = outlet.path(anchor);
@@ -100,7 +102,7 @@ proptest! {
         let moved = add(v, cross(omega, end.moment_arm));
         prop_assert!(distance(end.by_pose().map(|row| along(&row)), moved) < 1e-14);
         let parts = along(&by_pose.free_length) + along(&by_pose.arc_length);
-        // gradients up to some hundred, of numbers of order one
+        // gradients up to some hundred, on numbers of order one
         prop_assert!((parts - along(&length)).abs() < 1e-12);
         prop_assert!((parts + dot(path.direction, moved)).abs() < 1e-12);
         let point = rotate(&contact.point_by_anchor, moved);
