@@ -60,7 +60,7 @@ impl Damping {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum Winches {
-    /// Lengths are what is commanded.
+    /// Lengths follow the commands exactly.
     #[default]
     Ideal,
     /// Drums with inertia and friction, which torques command.

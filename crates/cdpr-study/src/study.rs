@@ -28,7 +28,7 @@ pub struct Study {
     pub control: ControlModel,
     /// The model that answers: same or higher complexity, own parameters.
     pub machine: RobotModel,
-    /// A model that is asked what emerges: it predicts pose and tensions from the lengths that were sent, as `cdpr evaluate` does
+    /// A model that predicts the emerging pose and tensions from the lengths that were sent, as `cdpr evaluate` does
     /// from measurements. `cdpr accuracy` only.
     pub prediction: Option<RobotModel>,
     /// Pose and tensions at which the winches are set.
@@ -39,7 +39,7 @@ pub struct Study {
     pub poses: Option<Poses>,
     /// Sensor noise of `cdpr simulate`.
     pub noise: Option<SensorSigmas>,
-    /// How a machine whose cables remember (`hysteresis`) comes to the poses.
+    /// Path on which a machine with the effect `hysteresis` comes to the poses.
     pub history: Option<History>,
     /// How far the numbers of control model, machine and winches may be off.
     pub tolerances: Option<Tolerances>,
@@ -126,7 +126,7 @@ pub struct Poses {
     pub file: Option<PoseFile>,
     /// Random poses in a box of their own, or that of the grid.
     pub random: Option<RandomPoses>,
-    /// Single cables shortened at some poses, for elastic machines: what tells stiffness from geometry.
+    /// Single cables shortened at some poses of elastic machines: such samples distinguish stiffness from geometry.
     pub tension_tests: Option<TensionTests>,
     /// Which of all these poses count: every one when missing.
     pub only: Option<PoseFilter>,

@@ -41,7 +41,8 @@ pub struct Sweep {
     /// How a control model that commands tensions chooses them, in place of `[control] tension_method` of the study.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub tension_method: Option<Method>,
-    /// Sensors, numbers of poses and models to calibrate with: the sweep then tells what accuracy costs instead of what is reached.
+    /// Sensors, numbers of poses and models to calibrate with: the sweep then answers with the cost of accuracy
+    /// instead of the reachable workspace.
     #[serde(default, skip_serializing_if = "Option::is_none")]
     pub calibration: Option<CalibrationTable>,
     /// Parameters that change: one table each; every value meets every value of the others.
@@ -60,13 +61,13 @@ pub struct Parameter {
     pub key: String,
     /// The values, in the unit of the key.
     pub values: Option<Vec<f64>>,
-    /// Or the first value of a row
+    /// First of `count` evenly spaced values, instead of `values`.
     pub from: Option<f64>,
-    /// to this one,
+    /// Last of `count` evenly spaced values.
     pub to: Option<f64>,
-    /// of so many.
+    /// Number of evenly spaced values from `from` to `to`.
     pub count: Option<usize>,
-    /// How the row is spaced: `linear` (when missing) or `logarithmic`.
+    /// Spacing of these values: `linear` (when missing) or `logarithmic`.
     #[serde(default)]
     pub spacing: Spacing,
     /// Swivel axis of placed pulleys, from the winch into the pulley (components in the robot's plane, or three); that of each cable

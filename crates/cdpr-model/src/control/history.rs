@@ -4,7 +4,7 @@ use serde::{Deserialize, Serialize};
 
 use crate::model::Model;
 
-/// How a machine whose cables remember comes to the poses.
+/// Path on which a machine with hysteresis comes to the poses.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct History {

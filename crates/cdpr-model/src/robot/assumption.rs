@@ -2,7 +2,7 @@
 
 use serde::{Deserialize, Serialize};
 
-/// Number that stands in a robot file though nobody printed or measured it.
+/// Assumed number of a robot file: no source states it and nobody measured it.
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Assumption {

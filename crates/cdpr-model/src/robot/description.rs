@@ -52,7 +52,9 @@ pub struct Robot {
 #[derive(Clone, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 pub struct Calibration {
-    /// Status of its answer: `converged`, `converged-with-caution`, `recommended`, `recommended-with-caution`; `not-trusted`, `not-converged`, `not-identifiable` or `not-predictive` where nobody should drive a robot by these numbers.
+    /// Status of its answer: `converged`, `converged-with-caution`, `recommended`, `recommended-with-caution`;
+    /// `not-trusted`, `not-converged`, `not-identifiable` or `not-predictive` if no robot should be driven by these
+    /// numbers.
     pub status: String,
 }
 
@@ -201,7 +203,7 @@ pub enum WrapSide {
 #[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "lowercase")]
 pub enum TensionPlace {
-    /// At the frame, where robots measure it.
+    /// At the frame, as load cells of winches measure it.
     Outlet,
     /// At the platform anchor.
     Platform,

@@ -46,7 +46,7 @@ pub(super) struct RobotFile {
     pub(super) source: Option<Source>,
     /// Calibration that the numbers come from, as `cdpr identify`, `select` and `demo` write it; a file changed by hand should lose it.
     pub(super) calibration: Option<Calibration>,
-    /// Numbers of this file that nobody printed or measured, each with the reason for its value.
+    /// Assumed numbers of this file, which no source states and nobody measured, each with the reason for its value.
     #[serde(default)]
     pub(super) assumption: Vec<Assumption>,
     /// Mass properties of the platform.

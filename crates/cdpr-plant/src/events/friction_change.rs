@@ -9,7 +9,7 @@ use crate::keys::{Key, Kind, Shape, Word};
 use crate::plant::{Plant, Winches};
 use crate::state::PlantState;
 
-const WORD: Word = Word::new("friction", "Friction of a drum changes; what is not stated stays as it was.");
+const WORD: Word = Word::new("friction", "Friction of a drum changes; numbers that are not stated stay as they were.");
 const COULOMB: &str = "coulomb_Nm";
 const VISCOUS: &str = "viscous_Nm_s_per_rad";
 

@@ -50,7 +50,8 @@ pub struct Machine {
     /// Composition of effects; cables must stretch. `elastic` when missing.
     #[serde(default = "elastic")]
     pub model: String,
-    /// Winches: `ideal` (lengths are what is commanded, the default) or `drums` (with inertia and friction of the robot file).
+    /// Winches: `ideal` (lengths follow the commands exactly, the default) or `drums` (with inertia and friction of
+    /// the robot file).
     #[serde(default)]
     pub winches: Winches,
     /// Damping of every cable along the rate of its elongation (N·s/m), in place of that of the robot file.
@@ -117,7 +118,8 @@ pub enum Integrator {
     /// Steps of a fixed length, of order four, that keep the energy.
     #[default]
     Symplectic,
-    /// Dormand and Prince's rule of order eight with steps as long as the tolerance lets them be: a reference, for machines whose forces do not jump.
+    /// Dormand and Prince's method of order eight with error control: a reference for machines with continuous
+    /// forces.
     ErrorControlled,
 }
 

@@ -52,7 +52,7 @@ impl JsonSchema for SensorTable {
     }
 
     fn json_schema(_: &mut SchemaGenerator) -> Schema {
-        let description = "Sensors of the machine; each is there where its table is. A machine without tables is measured by nothing.";
+        let description = "Sensors of the machine, a table each; without a table there is no such sensor.";
         table_schema(description, &keys())
     }
 }

@@ -1,4 +1,4 @@
-//! Numbers of a robot that nobody printed or measured, as answers tell them.
+//! Numbers of a robot that no source states and nobody measured, as answers tell them.
 
 use cdpr_model::robot::Assumption;
 

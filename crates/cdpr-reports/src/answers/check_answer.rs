@@ -31,7 +31,7 @@ pub struct CheckAnswer {
     cable_count: usize,
     home: Home,
     models: Models,
-    /// Numbers of the file that nobody printed or measured.
+    /// Numbers of the file that no source states and nobody measured.
     assumptions: Vec<Assumption>,
     warnings: Vec<String>,
 }

@@ -36,7 +36,7 @@ pub struct DynamicsAnswer {
     /// Null where there are none within the limits.
     #[serde(rename = "tensions_N")]
     tensions: Option<Vec<f64>>,
-    /// Numbers of the robot file that the answer rests on and nobody printed or measured.
+    /// Numbers of the robot file that the answer rests on and that no source states.
     assumptions: Vec<Assumption>,
     #[serde(skip)]
     cable_names: Vec<String>,

@@ -45,7 +45,7 @@ pub struct ModesAnswer {
     indifferent_stiffness: f64,
     /// Largest sensible step of `cdpr run` (s).
     step_max_s: Option<f64>,
-    /// Numbers of the robot file that the motion rests on and nobody printed or measured.
+    /// Numbers of the robot file that the motion rests on and that no source states.
     assumptions: Vec<Assumption>,
     warnings: Vec<String>,
 }

@@ -18,7 +18,7 @@ struct Entry {
     motion_pattern: &'static str,
     cable_count: usize,
     title: Option<String>,
-    /// Keys of numbers that nobody printed or measured.
+    /// Keys of numbers that no source states and nobody measured.
     assumptions: Vec<String>,
 }
 
@@ -50,7 +50,7 @@ impl Answer for RobotsAnswer {
         }
         let mut text = table.left_column(4).text(width);
         if self.robots.iter().any(|entry| !entry.assumptions.is_empty()) {
-            text.push_str("\nassumed: numbers of the file that nobody printed or measured; `cdpr check NAME` names them with their reasons\n");
+            text.push_str("\nassumed: numbers of the file that no source states and nobody measured; `cdpr check NAME` names them with their reasons\n");
         }
         text
     }

@@ -39,7 +39,7 @@ pub struct RunAnswer {
     /// Cables that were slack without breaking a limit.
     slack: Vec<SlackAnswer>,
     log: String,
-    /// Numbers of the robot file that the motion rests on and nobody printed or measured.
+    /// Numbers of the robot file that the motion rests on and that no source states.
     assumptions: Vec<Assumption>,
     warnings: Vec<String>,
     #[serde(skip)]

@@ -5,15 +5,15 @@ use serde::Deserialize;
 use crate::sensitivity::{Kind, Offsets, ParameterDeviation, Side};
 use cdpr_model::robot::ParameterKind;
 
-/// How far the numbers of control model, machine and winches may be off, and what accuracy is required.
+/// Deviations of the numbers of control model, machine and winches, and the accuracy that is required.
 #[derive(Clone, Debug, PartialEq, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct Tolerances {
-    /// Of the control model's numbers: what the controller's file has wrong.
+    /// Deviations of the control model's numbers: errors of the controller's file.
     pub control: ModelTolerances,
-    /// Of the machine's: how far what was built and mounted is from its file.
+    /// Deviations of the machine's numbers: errors of manufacture and mounting.
     pub machine: ModelTolerances,
-    /// Of what was set at the initial pose.
+    /// Deviations of the winches as they were set at the initial pose.
     pub winches: WinchTolerances,
     /// Effect of deviations on the winch offsets; `kept` when missing.
     pub offsets: Offsets,
@@ -63,10 +63,10 @@ pub enum Distribution {
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq, serde::Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(rename_all = "kebab-case")]
 pub enum AccuracyOf {
-    /// The distance from the commanded position: what the control model leaves out counts too.
+    /// The distance from the commanded position, which includes errors by effects that the control model leaves out.
     #[default]
     Error,
-    /// The distance from where the robot without deviations goes.
+    /// The distance from the position that the robot without deviations reaches.
     Deviation,
 }
 
@@ -108,7 +108,7 @@ pub struct ModelTolerances {
     /// Start angles of the drums (rad).
     #[schemars(range(min = 0.0))]
     pub start_angle_rad: f64,
-    /// Axial stiffness EA, as a share of it (1).
+    /// Axial stiffness EA, relative to its value (1).
     #[schemars(range(min = 0.0))]
     pub axial_stiffness_relative: f64,
     /// Hidden lengths (m).

@@ -16,7 +16,8 @@ pub struct CalibrationTable {
     #[serde(default = "records")]
     #[schemars(range(min = 1, max = 100))]
     pub records: u32,
-    /// Mean driven position errors that are wanted (m): the cheapest calibration for each is told.
+    /// Required mean position errors of driven poses (m): the answer names the cheapest calibration that reaches
+    /// each.
     #[serde(default)]
     pub accuracy_m: Vec<f64>,
     /// Price of measuring one pose, in the unit of the sensors' prices; 1 when missing.
@@ -54,7 +55,7 @@ pub struct CalibratedModel {
     /// Ridges towards the file's values, e.g. `["platform-anchor=0.02"]`.
     #[serde(default)]
     pub prior: Vec<String>,
-    /// Price of using it: load cells, say; 0 when missing.
+    /// Price of using the model, for example of load cells; 0 when missing.
     #[serde(default)]
     pub price: f64,
 }

@@ -26,9 +26,9 @@ const CROSSING_TOLERANCE: f64 = 1e-9;
 /// Largest deviation of the sum of the transitions' fractions from 1 by rounding of their printed digits.
 const SHARE_TOLERANCE: f64 = 1e-6;
 
-/// Loading and unloading branch of a cable, as cubic pieces between knots, and how tension goes from one to the other.
+/// Loading and unloading branch of a cable, as cubic pieces between knots, and the transition between them.
 ///
-/// Strain 0 is where the cable has no tension. A record of a test bench determines this table.
+/// The tension at strain 0 is zero. A record of a test bench determines this table.
 #[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
 #[expect(non_snake_case, reason = "the fields are the file's keys, units included")]
@@ -46,10 +46,11 @@ pub struct HysteresisTable {
     /// Slope of the unloading branch at the knots (N per unit strain); a monotone interpolation when left out.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub unloading_slope_N: Option<Vec<f64>>,
-    /// After the motion turned, a share of the way to the other branch is done within each of these strains; at most 8.
+    /// Strains after a reversal of the motion within which fractions of the transition to the other branch are done;
+    /// at most 8.
     #[schemars(length(min = 1, max = 8))]
     pub transition_strain: Vec<f64>,
-    /// The shares, which add up to 1; equal when left out.
+    /// Fractions of the transition, one per strain of `transition_strain`, which add up to 1; equal when missing.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub transition_share: Option<Vec<f64>>,
 }
