@@ -15,7 +15,7 @@ const LIBRARIES: [&str; 6] =
     ["cdpr-core", "cdpr-model", "cdpr-workspace", "cdpr-plant", "cdpr-calibration", "cdpr-study"];
 
 /// Most names that the facade hands on.
-const MOST_NAMES: usize = 400;
+const MOST_NAMES: usize = 410;
 
 /// Words before which an item stands.
 const KINDS: [&str; 8] = ["fn", "const fn", "struct", "enum", "trait", "const", "static", "type"];

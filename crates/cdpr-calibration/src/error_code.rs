@@ -4,6 +4,7 @@ use cdpr_model::reading::ErrorCode;
 
 use crate::candidate::CandidateError;
 use crate::compensation::CompensationError;
+use crate::cross_validation::CrossValidationError;
 use crate::selection::RequirementError;
 use crate::{EvaluationError, PlanError, fit, selection, test_bench};
 
@@ -21,6 +22,7 @@ impl ErrorCode for EvaluationError {
 impl ErrorCode for fit::InputError {
     fn code(&self) -> &'static str {
         match self {
+            Self::Stopped => "work::stopped",
             Self::Parameters(error) => error.code(),
             Self::Model(error) => error.code(),
             Self::Winch(error) => error.code(),
@@ -135,9 +137,19 @@ impl ErrorCode for selection::CandidateFailure {
     }
 }
 
+impl ErrorCode for CrossValidationError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Fit(error) => error.code(),
+            Self::Evaluation(error) => error.code(),
+        }
+    }
+}
+
 impl ErrorCode for selection::InputError {
     fn code(&self) -> &'static str {
         match self {
+            Self::Stopped => "work::stopped",
             Self::NoCandidates => "candidate::none",
             Self::NoValidation => "data::no-validation",
             Self::Regions(error) => error.code(),

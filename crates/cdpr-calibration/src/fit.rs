@@ -15,6 +15,8 @@ mod settings;
 mod tests;
 pub(super) mod warnings;
 
+use crate::progress::Progress;
+use crate::progress::unobserved;
 pub use answer::{Estimate, Fit, Status};
 use checks::is_at_bound;
 pub(super) use checks::length_residuals;
@@ -47,7 +49,7 @@ pub use cdpr_model::solve::Minimizer;
 /// Minimises Σ (ρ/σ)² + Σ ((p − p_start)/σ_prior)², ρ the modelled minus the recorded length (eq. 4.8), cable by cable,
 /// within the parameters' bounds; under a robust [`Loss`] the cables' squares of a sample count together. Without free parameters it only tells how well the model fits.
 pub fn fit(model: &Model, samples: &Samples, free: &FreeParameters, settings: &Settings) -> Result<Fit, InputError> {
-    fit_observed(model, samples, free, settings, &|| ())
+    fit_observed(model, samples, free, settings, &unobserved)
 }
 
 /// As [`fit`]; `progress` is called after each descent: [`descent_count`] times.
@@ -56,7 +58,7 @@ pub fn fit_observed(
     samples: &Samples,
     free: &FreeParameters,
     settings: &Settings,
-    progress: &dyn Fn(),
+    progress: &Progress<'_>,
 ) -> Result<Fit, InputError> {
     let parameters = checked_parameters(model, samples, free, settings)?;
     let samples = &*model.with_lengths(samples)?;
@@ -133,7 +135,7 @@ pub(super) fn optimum_of(
 ) -> Result<OptimalParameters, InputError> {
     let samples = &*model.with_lengths(samples)?;
     if settings.is_other_objective() {
-        let optimum = objective::optimum(model, samples, parameters, settings, &|| ())?;
+        let optimum = objective::optimum(model, samples, parameters, settings, &unobserved)?;
         return Ok(OptimalParameters {
             converged: optimum.end().converged(),
             iterations: optimum.end().iterations,
@@ -143,7 +145,7 @@ pub(super) fn optimum_of(
         });
     }
     if explains_tensions(model) {
-        let optimum = elastostatic::find(model, samples, parameters, settings, &|| ())?;
+        let optimum = elastostatic::find(model, samples, parameters, settings, &unobserved)?;
         return Ok(OptimalParameters {
             model: optimum.calibrated().clone(),
             converged: optimum.converged(),
@@ -152,7 +154,7 @@ pub(super) fn optimum_of(
             parameters: parameters.to_vec(),
         });
     }
-    let (optimum, _) = optimum::find(model, samples, parameters, settings, &|| ())?;
+    let (optimum, _) = optimum::find(model, samples, parameters, settings, &unobserved)?;
     Ok(OptimalParameters {
         model: optimum.calibrated(model)?,
         parameters: parameters.to_vec(),

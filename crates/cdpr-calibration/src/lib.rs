@@ -13,6 +13,7 @@ mod clock_test;
 pub mod compensation;
 mod course;
 pub mod coverage;
+mod cross_validation;
 mod design;
 mod elastostatic;
 mod error_code;
@@ -38,6 +39,7 @@ mod plausibility;
 mod point_robot;
 mod pose_band;
 mod pose_lanes;
+mod progress;
 mod quadratic;
 mod recorded;
 #[cfg(test)]
@@ -64,6 +66,9 @@ pub use clock::ClockOffset;
 pub use clock_test::clock_warning;
 pub use course::{CourseStep, course};
 pub use coverage::{Coverage, coverage};
+pub use cross_validation::{
+    CrossValidation, CrossValidationError, cross_validate, cross_validation_fits, evaluate_given,
+};
 pub use design::{
     Candidates, CurvePoint, DesignCriterion, GridComparison, ParameterPrediction, Plan, PlanError, PlanSettings,
     PosePrediction, Predicted, plan,
@@ -80,13 +85,14 @@ pub use path::{PathParameter, PathPoint, PathSettings, Penalty, PenaltyPath, Tow
 pub use plausibility::{Distrust, distrust};
 pub use point_robot::{point_pattern, without_rotation};
 pub use pose_band::PoseBand;
+pub use progress::{Progress, unobserved};
 pub use reduction::{Evidence, Reduction, propose_reduction};
 pub use resampling::{Resampled, ResampledDeviation, resampled};
 pub use scaling::{
     ConditionMap, Conditioning, Influence, KindCondition, KindScale, condition_map, conditioning, scaled_kind,
 };
 pub use self_calibration::{
-    Comparison, GaugeFixing, SelfCalibration, SensorFit, cross_validate, evaluate_lengths, self_calibrate,
+    Comparison, GaugeFixing, SelfCalibration, SensorFit, cross_validate_without_poses, evaluate_lengths, self_calibrate,
 };
 pub use starts::{StartOptimum, Starts};
 pub use stopping::{StoppedBy, StoppingRule};

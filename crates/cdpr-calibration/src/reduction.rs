@@ -7,11 +7,11 @@ use nalgebra::{Quaternion, UnitQuaternion};
 use serde::Serialize;
 
 use super::bootstrap::standard_error;
+use super::cross_validation::reported_part;
 use super::evaluation::evaluate_fitted;
 use super::fit::{self, Fit, InputError, checked_parameters, explains_tensions, optimum_of};
 use super::path::{PenaltyPath, is_path_of};
 use super::point_robot::{as_point, point_robot, without_rotation};
-use super::selection::reported_part;
 use cdpr_model::geometry::MotionPattern;
 use cdpr_model::measurement::{Fold, Samples, decimals};
 use cdpr_model::model::{FreeParameters, Model};

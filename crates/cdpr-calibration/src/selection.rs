@@ -15,10 +15,13 @@ mod without_poses;
 mod worse;
 
 pub use criterion::SelectionCriterion;
-pub(super) use judge::reported_part;
 pub use judgement::{CandidateFailure, HeldOut, JudgedCandidate, Judgement};
 pub use preferences::Preference;
 pub use rating::Rating;
+use std::ops::ControlFlow;
+
+use crate::progress::SharedProgress;
+
 use reason::{Reason, nobody};
 pub use requirement::{Requirement, RequirementError, RequirementOutcome};
 pub use settings::Settings;
@@ -82,6 +85,9 @@ impl Selection {
 /// A comparison that cannot be made.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum InputError {
+    /// The caller's progress asked to stop.
+    #[error("the work was stopped before its end, as its caller asked")]
+    Stopped,
     /// No candidates.
     #[error("there are no candidates to compare")]
     NoCandidates,
@@ -117,14 +123,14 @@ impl InputError {
 /// the loss is squared: an outlier in the data is nobody's error.
 ///
 /// With one fold the reported fit is that of its training part; with several, of all samples. `progress` is called after
-/// each fit, from any thread; there are [`fit_count`] of them when every candidate can be fitted.
+/// each fit, from any thread, and may stop the work; there are [`fit_count`] of them when every candidate can be fitted.
 pub fn select(
     robot: &Robot,
     candidates: &[Candidate],
     samples: &Samples,
     folds: &[Fold],
     settings: &Settings,
-    progress: &(dyn Fn() + Sync),
+    progress: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<Selection, InputError> {
     if candidates.is_empty() {
         return Err(InputError::NoCandidates);
@@ -135,12 +141,16 @@ pub fn select(
     let (candidates, frames) = in_needed_frames(robot, candidates, samples, folds, settings);
     let candidates = &candidates[..];
     let regions = judge::regions(samples, folds, settings.regions)?;
+    let progress = &SharedProgress::of(progress);
     let problem = judge::Problem { robot, samples, folds, regions: &regions, settings, progress };
     let judge_one = |candidate: &Candidate| {
         let outcome = problem.judge(candidate);
         JudgedCandidate { name: candidate.to_string(), candidate: candidate.clone(), outcome }
     };
     let mut judged = map_all(candidates, judge_one);
+    if progress.is_stopped() {
+        return Err(InputError::Stopped);
+    }
     if let Some(error) = InputError::where_all_failed(&judged) {
         return Err(error);
     }

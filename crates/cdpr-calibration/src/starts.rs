@@ -4,6 +4,7 @@ mod drawing;
 #[cfg(test)]
 mod tests;
 
+use crate::progress::{Progress, Stopped, report};
 use serde::Serialize;
 
 use super::fit::Settings;
@@ -84,12 +85,17 @@ struct Found<E> {
 
 impl Search<'_> {
     /// Descends from other starts too; each part of `best`, the ends of the file's values, becomes its lowest end. `progress` is called after
-    /// each start.
-    pub(super) fn run<L: Landscape>(&self, landscape: &mut L, best: &mut [L::End], progress: &dyn Fn()) -> Starts {
-        progress();
+    /// each start and may stop the search.
+    pub(super) fn run<L: Landscape>(
+        &self,
+        landscape: &mut L,
+        best: &mut [L::End],
+        progress: &Progress<'_>,
+    ) -> Result<Starts, Stopped> {
+        report(progress)?;
         let mut told = Starts::of_file(best);
         if self.settings.starts <= 1 {
-            return told;
+            return Ok(told);
         }
         let mut found: Vec<_> = told.optima.drain(..).map(|told| Found { ends: best.to_vec(), told }).collect();
         let drawing = Drawing::new(self.settings, self.tension);
@@ -101,7 +107,7 @@ impl Search<'_> {
                 landscape.descend(index, &change)
             };
             let ends: Vec<L::End> = self.parts.iter().enumerate().map(&mut descend).collect();
-            progress();
+            report(progress)?;
             for (best, end) in best.iter_mut().zip(&ends) {
                 let is_better = end.cost() < best.cost() - same_cost(end.cost(), self.samples);
                 if is_better || (end.cost().is_finite() && !best.cost().is_finite()) {
@@ -126,7 +132,7 @@ impl Search<'_> {
         told.optima = found.iter().map(tell).collect();
         let count = told.count as f64;
         told.optima.iter_mut().for_each(|optimum| optimum.fraction = optimum.starts as f64 / count);
-        told
+        Ok(told)
     }
 
     /// Counts the ends of a start among the optima found before.

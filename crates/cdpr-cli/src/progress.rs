@@ -1,5 +1,6 @@
 //! Signs of life on stderr for work that takes longer than a second.
 
+use std::ops::ControlFlow;
 use std::sync::mpsc::{self, RecvTimeoutError, Sender};
 use std::thread::{self, JoinHandle};
 use std::time::Duration;
@@ -39,6 +40,12 @@ impl Progress {
     /// One part is done.
     pub(crate) fn step(&self) {
         self.bar.inc(1);
+    }
+
+    /// One part is done, and the work goes on: an interruption ends the process.
+    pub(crate) fn step_of_work(&self) -> ControlFlow<()> {
+        self.step();
+        ControlFlow::Continue(())
     }
 
     fn start(parts: Option<u64>, template: &str, message: &str) -> Self {

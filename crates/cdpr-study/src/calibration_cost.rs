@@ -4,6 +4,7 @@
 #[cfg(test)]
 mod tests;
 
+use cdpr_calibration::unobserved;
 use nalgebra::{Matrix3, Vector3};
 use rand::SeedableRng;
 use rand::seq::SliceRandom;
@@ -118,7 +119,8 @@ impl<'a> Calibration<'a> {
                 (found.model, errors, found.parameters.len())
             }
             false => {
-                let found = self_calibrate(&self.model, &unknown(&record, &self.model), &free, &self.settings, &|| ())?;
+                let found =
+                    self_calibrate(&self.model, &unknown(&record, &self.model), &free, &self.settings, &unobserved)?;
                 let errors = evaluate_lengths(&found.fit.model, &unknown(&judging, &self.model))?.blocks();
                 (found.fit.model, errors, found.parameter_count)
             }

@@ -2,11 +2,12 @@
 
 #[doc(inline)]
 pub use cdpr_calibration::{
-    Analysis, Candidates, Conditioning, Coverage, DesignCriterion, Doubt, DoubtKind, ErrorBlocks, Evaluation,
-    EvaluationError, FrameEstimate, GaugeFixing, Information, Loss, Minimize, Objective, Outlier, PathSettings,
-    Penalty, PenaltyPath, Plan, PlanError, PlanSettings, PoseBand, Reduction, Resampled, SelfCalibration, Towards,
-    Verdict, conditioning, coverage, cross_validate, evaluate, evaluate_fitted, evaluate_lengths, penalty_path, plan,
-    propose_reduction, resampled, self_calibrate,
+    Analysis, Candidates, Conditioning, Coverage, CrossValidation, CrossValidationError, DesignCriterion, Doubt,
+    DoubtKind, ErrorBlocks, Evaluation, EvaluationError, FrameEstimate, GaugeFixing, Information, Loss, Minimize,
+    Objective, Outlier, PathSettings, Penalty, PenaltyPath, Plan, PlanError, PlanSettings, PoseBand, Progress,
+    Reduction, Resampled, SelfCalibration, Towards, Verdict, conditioning, coverage, cross_validate,
+    cross_validate_without_poses, evaluate, evaluate_fitted, evaluate_lengths, penalty_path, plan, propose_reduction,
+    resampled, self_calibrate, unobserved,
 };
 
 pub mod candidate {

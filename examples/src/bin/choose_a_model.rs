@@ -2,6 +2,7 @@
 
 use cdpr::calibration::candidate;
 use cdpr::calibration::selection::{Settings, select};
+use cdpr::calibration::unobserved;
 use cdpr::control::CommandedPose;
 use cdpr::control::simulate::simulate;
 use cdpr::measurement::{SensorSigmas, Split};
@@ -36,7 +37,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
     // ANCHOR: choose
     let folds = Split::KFold(5).folds(&samples, 1)?;
     let candidates = candidate::defaults(&drawing, candidate::Ladder::default());
-    let selection = select(&drawing, &candidates, &samples, &folds, &Settings::default(), &|| ())?;
+    let selection = select(&drawing, &candidates, &samples, &folds, &Settings::default(), &unobserved)?;
     let recommended = &selection.candidates[selection.recommended.ok_or("none is good enough")?];
     assert_eq!(recommended.name, "standard:length-offset");
     // ANCHOR_END: choose

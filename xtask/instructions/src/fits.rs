@@ -1,5 +1,6 @@
 //! Fits: blocks of every size that has sums of its own or many parameters, elastostatic, without poses.
 
+use cdpr::calibration::unobserved;
 use std::hint::black_box;
 
 use cdpr::calibration::fit::{Prior, Settings, Status, fit, optimal_parameters};
@@ -113,7 +114,8 @@ fn without_poses() {
     let internal = InternalSamples::without_poses(samples, nominal.dof(), false);
     let (free, settings) = (free("frame-anchor"), Settings { starts: 1, ..settings() });
     counting::count("identification, without poses", &mut || {
-        let found = self_calibrate(&nominal, black_box(&internal), &free, &settings, &|| ()).expect("enough samples");
+        let found =
+            self_calibrate(&nominal, black_box(&internal), &free, &settings, &unobserved).expect("enough samples");
         usize::from(found.fit.status == Status::Converged)
     });
 }

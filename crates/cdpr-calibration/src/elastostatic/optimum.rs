@@ -9,6 +9,7 @@ use super::rows::recorded_state;
 use crate::fit::{InputError, Settings};
 use crate::misfit::Misfit;
 use crate::norms::Norms;
+use crate::progress::{Progress, Stopped};
 use crate::starts::{self, Landscape, Part, Starts};
 use crate::stopping::StoppedBy;
 use crate::trail::Trail;
@@ -73,7 +74,7 @@ pub(crate) fn find(
     samples: &Samples,
     parameters: &[Parameter],
     settings: &Settings,
-    progress: &dyn Fn(),
+    progress: &Progress<'_>,
 ) -> Result<Optimum, InputError> {
     let tensions = checked_tensions(model, samples)?;
     let start_model = with_constant_wrench(model, samples, &tensions, parameters)?;
@@ -82,7 +83,7 @@ pub(crate) fn find(
     let problem = Problem::new(&start_model, samples, &tensions, parameters, settings);
     let mut adjust = Adjust { problem: &problem, sigmas, noise: 1.0 };
     let mut linearization = adjust.measured(&start_model)?;
-    let (mut end, starts) = search(&problem, &linearization, progress);
+    let (mut end, starts) = search(&problem, &linearization, progress)?;
     if !parameters.is_empty() {
         adjust.settle(&mut end, &mut linearization)?;
         if !absolute && !settings.priors.is_empty() {
@@ -107,7 +108,11 @@ pub(crate) fn find(
 }
 
 /// Descends from the file's values and from other starts; the lowest end wins.
-pub(super) fn search(problem: &Problem<'_>, linearization: &Linearization, progress: &dyn Fn()) -> (End, Starts) {
+pub(super) fn search(
+    problem: &Problem<'_>,
+    linearization: &Linearization,
+    progress: &Progress<'_>,
+) -> Result<(End, Starts), Stopped> {
     // one start only has to come near; several must be told apart
     let stop = if problem.settings.starts > 1 { SEARCH_PROMISE } else { NEAR_PROMISE };
     let part =
@@ -116,9 +121,9 @@ pub(super) fn search(problem: &Problem<'_>, linearization: &Linearization, progr
     let search = starts::Search { parts: &[part], settings: problem.settings, samples: problem.samples.len(), tension };
     let mut together = Together { problem, linearization, stop };
     let mut best = [problem.descend(&problem.start, linearization, stop)];
-    let starts = search.run(&mut together, &mut best, progress);
+    let starts = search.run(&mut together, &mut best, progress)?;
     let [best] = best;
-    (best, starts)
+    Ok((best, starts))
 }
 
 /// All parameters of an elastic model.

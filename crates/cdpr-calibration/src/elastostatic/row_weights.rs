@@ -1,5 +1,6 @@
 //! Least squares of wrenches and lengths with weights of their own in place of accuracies (w_ρ of sec. 4.5).
 
+use crate::progress::Progress;
 use nalgebra::{DMatrix, DVector};
 
 use super::adjust::Adjust;
@@ -27,7 +28,7 @@ pub(crate) fn find(
     samples: &Samples,
     parameters: &[Parameter],
     settings: &Settings,
-    progress: &dyn Fn(),
+    progress: &Progress<'_>,
 ) -> Result<Optimum, InputError> {
     let Some(weights) = settings.row_weights else {
         return optimum::find(model, samples, parameters, settings, progress);
@@ -39,7 +40,7 @@ pub(crate) fn find(
     let start_model = checked_start(model, samples, parameters)?;
     let problem = Problem::new(&start_model, samples, &tensions, parameters, settings);
     let linearization = Linearization::weighted(&start_model, samples, &tensions, &of_rows(&start_model, weights));
-    let (found, starts) = search(&problem, &linearization, progress);
+    let (found, starts) = search(&problem, &linearization, progress)?;
     let mut end = problem.descend(&found.values, &linearization, FINAL_PROMISE);
     end.iterations += found.iterations;
     end.trail = found.trail.joined(end.trail);

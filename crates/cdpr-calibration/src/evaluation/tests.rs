@@ -65,7 +65,7 @@ fn selected(mass: Option<f64>, samples: &Samples, criterion: SelectionCriterion)
     let fold = Fold { name: "every other".to_owned(), train, validation };
     let candidates = parse_list("standard;standard:length-offset").unwrap();
     let settings = Settings { criterion, ..Settings::default() };
-    select(&suspended(mass), &candidates, samples, &[fold], &settings, &|| {}).unwrap()
+    select(&suspended(mass), &candidates, samples, &[fold], &settings, &crate::progress::unobserved).unwrap()
 }
 
 /// The machine rests in equilibrium, and a model that knows its load predicts where, and the tensions.

@@ -3,6 +3,7 @@
 use super::{InputError, Settings, descent, optimum};
 use crate::blocks::Block;
 use crate::pose_lanes::PoseLanes;
+use crate::progress::unobserved;
 use crate::quadratic::{HalfSquares, Quadratic};
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;
@@ -30,7 +31,7 @@ impl<'a> FrozenLengths<'a> {
         parameters: &[Parameter],
         settings: &'a Settings,
     ) -> Result<Self, InputError> {
-        let (optimum, _) = optimum::find(model, samples, parameters, settings, &|| ())?;
+        let (optimum, _) = optimum::find(model, samples, parameters, settings, &unobserved)?;
         Ok(Self { optimum, settings })
     }
 

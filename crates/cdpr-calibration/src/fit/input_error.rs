@@ -4,6 +4,7 @@ use thiserror::Error;
 
 use crate::loss::Loss;
 use crate::objective::Minimize;
+use crate::progress::Stopped;
 use cdpr_model::cable::GeometryError;
 use cdpr_model::measurement::KnownError;
 use cdpr_model::model::{ModelError, ParameterError, WinchError};
@@ -14,6 +15,9 @@ use cdpr_model::statics::LoadError;
 /// Data or settings that no fit can accept.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum InputError {
+    /// The caller's progress asked to stop.
+    #[error("the work was stopped before its end, as its caller asked")]
+    Stopped,
     /// No offset of the clocks that fits best.
     #[error(
         "`clock-offset` is free, but the samples tell none: it takes 30 samples with times (column t_s) of a platform that moves between them"
@@ -318,5 +322,11 @@ fn others(samples: &[usize]) -> String {
         0 | 1 => String::new(),
         count if count <= 9 => format!(", and others in {}", listed.join(", ")),
         count => format!(", and others in {} and {} more", listed.join(", "), count - 9),
+    }
+}
+
+impl From<Stopped> for InputError {
+    fn from(_: Stopped) -> Self {
+        Self::Stopped
     }
 }

@@ -5,6 +5,7 @@ use crate::blocks::Block;
 use crate::misfit::Misfit;
 use crate::norms::Norms;
 use crate::pose_lanes::{CableValues, PoseLanes};
+use crate::progress::{Progress, Stopped, report};
 use crate::starts::{self, Ending, Landscape, Part, Starts};
 use crate::stopping::StoppedBy;
 use crate::trail::{Trail, side_by_side};
@@ -57,7 +58,7 @@ pub(super) fn find(
     samples: &Samples,
     parameters: &[Parameter],
     settings: &Settings,
-    progress: &dyn Fn(),
+    progress: &Progress<'_>,
 ) -> Result<(Optimum, Weights), InputError> {
     let given = Given { model, samples, settings };
     let poses = PoseLanes::new(samples);
@@ -70,7 +71,7 @@ pub(super) fn find(
     let ends = blocks.iter().map(|block| descent::run(block, &poses, settings, None)).collect();
     let mut optimum =
         Optimum { poses, blocks, ends, starts: Starts::default(), norms: Norms::default(), rounds: Rounds::default() };
-    optimum.try_other_starts(samples, settings, progress);
+    optimum.try_other_starts(samples, settings, progress)?;
     match (weights.absolute, settings.priors.is_empty()) {
         _ if parameters.is_empty() => {}
         (true, _) => optimum.agree_with_weights(given, &mut weights)?,
@@ -119,10 +120,15 @@ impl Ending for descent::End {
 
 impl Optimum {
     /// Descends from other starts too; each cable keeps its lowest end.
-    fn try_other_starts(&mut self, samples: &Samples, settings: &Settings, progress: &dyn Fn()) {
+    fn try_other_starts(
+        &mut self,
+        samples: &Samples,
+        settings: &Settings,
+        progress: &Progress<'_>,
+    ) -> Result<(), Stopped> {
         if settings.starts <= 1 {
             self.starts = Starts::of_file(&self.ends);
-            return progress();
+            return report(progress);
         }
         let part = |block: &Block| Part {
             parameters: block.parameters.clone(),
@@ -132,7 +138,8 @@ impl Optimum {
         let parts: Vec<Part> = self.blocks.iter().map(part).collect();
         let search = starts::Search { parts: &parts, settings, samples: samples.len(), tension: 0.0 };
         let mut cables = Cables { blocks: &self.blocks, poses: &self.poses, settings };
-        self.starts = search.run(&mut cables, &mut self.ends, progress);
+        self.starts = search.run(&mut cables, &mut self.ends, progress)?;
+        Ok(())
     }
 
     /// Variances depend on the parameters: weighs anew at the optimum and repeats.

@@ -3,6 +3,7 @@
 #[cfg(test)]
 mod tests;
 
+use crate::progress::unobserved;
 use serde::Serialize;
 
 use super::checks::{explains_tensions, length_residuals};
@@ -252,14 +253,14 @@ impl<'a> Course<'a> {
     fn minimise(&self, model: &Model, samples: &Samples, parameters: &[Parameter]) -> Result<(Model, f64), InputError> {
         let (samples, settings) = (&*model.with_lengths(samples)?, &self.settings);
         if settings.is_other_objective() {
-            let optimum = objective::optimum(model, samples, parameters, settings, &|| ())?;
+            let optimum = objective::optimum(model, samples, parameters, settings, &unobserved)?;
             return Ok((optimum.calibrated().clone(), optimum.end().cost));
         }
         if explains_tensions(model) {
-            let optimum = elastostatic::find(model, samples, parameters, settings, &|| ())?;
+            let optimum = elastostatic::find(model, samples, parameters, settings, &unobserved)?;
             return Ok((optimum.calibrated().clone(), optimum.cost()));
         }
-        let (optimum, _) = optimum::find(model, samples, parameters, settings, &|| ())?;
+        let (optimum, _) = optimum::find(model, samples, parameters, settings, &unobserved)?;
         Ok((optimum.calibrated(model)?, optimum.ends.iter().map(|end| end.cost).sum()))
     }
 

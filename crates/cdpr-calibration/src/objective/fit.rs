@@ -1,5 +1,6 @@
 //! Optimum of an objective under any cost.
 
+use crate::progress::Progress;
 use std::borrow::Cow;
 
 use super::cost::{Cost, Ridge, Shape};
@@ -85,7 +86,7 @@ pub(crate) fn optimum(
     samples: &Samples,
     parameters: &[Parameter],
     settings: &Settings,
-    progress: &dyn Fn(),
+    progress: &Progress<'_>,
 ) -> Result<Optimum, InputError> {
     let nothing = |_: &Optimum, _: &mut ObjectiveVectors<'_>| Ok(());
     find(model, samples, parameters, settings, progress, nothing).map(|(optimum, ())| optimum)
@@ -97,7 +98,7 @@ pub(super) fn find<T>(
     samples: &Samples,
     parameters: &[Parameter],
     settings: &Settings,
-    progress: &dyn Fn(),
+    progress: &Progress<'_>,
     of_optimum: impl FnOnce(&Optimum, &mut ObjectiveVectors<'_>) -> Result<T, InputError>,
 ) -> Result<(Optimum, T), InputError> {
     check(settings)?;
@@ -160,7 +161,7 @@ pub(crate) fn search(
     parameters: &[Parameter],
     Units { scale, unit, absolute, mean_tension }: Units,
     settings: &Settings,
-    progress: &dyn Fn(),
+    progress: &Progress<'_>,
     from: Option<&[f64]>,
 ) -> Result<Optimum, InputError> {
     let start: Vec<f64> = parameters.iter().map(|parameter| parameter.value(start_model.robot())).collect();
@@ -248,7 +249,7 @@ impl Search<'_> {
         vectors: &mut impl Vectors,
         from: &[f64],
         tension: f64,
-        progress: &dyn Fn(),
+        progress: &Progress<'_>,
     ) -> Result<(End, Starts), InputError> {
         let part =
             Part { parameters: self.parameters.to_vec(), start: self.start.to_vec(), scale: self.scale.to_vec() };
@@ -258,7 +259,7 @@ impl Search<'_> {
             return Err(InputError::NotFinite);
         }
         let search = starts::Search { parts: &[part], settings: self.settings, samples, tension };
-        let starts = search.run(&mut Together { search: self, vectors }, &mut best, progress);
+        let starts = search.run(&mut Together { search: self, vectors }, &mut best, progress)?;
         let [best] = best;
         // the answer is told where it was found, whatever other starts led to
         vectors.go_on_from(&best.latents);

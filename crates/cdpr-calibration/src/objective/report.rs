@@ -12,6 +12,7 @@ use crate::joint_analysis::{JointRows, analyse_together};
 use crate::misfit::Misfit;
 use crate::noise::Noise;
 use crate::outliers;
+use crate::progress::Progress;
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;
 use cdpr_model::robot::Parameter;
@@ -23,7 +24,7 @@ pub(crate) fn fit(
     samples: &Samples,
     parameters: &[Parameter],
     settings: &Settings,
-    progress: &dyn Fn(),
+    progress: &Progress<'_>,
 ) -> Result<Fit, InputError> {
     let (optimum, stacked) =
         find(model, samples, parameters, settings, progress, |optimum, vectors| optimum.stacked(vectors))?;

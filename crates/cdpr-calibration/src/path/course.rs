@@ -5,6 +5,7 @@ use super::settings::{PathSettings, Penalty, Towards};
 use super::subproblem::Group;
 use crate::elastostatic::{self, FrozenBalance};
 use crate::fit::{self, FrozenLengths, InputError, explains_tensions};
+use crate::progress::unobserved;
 use crate::quadratic::HalfSquares;
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;
@@ -103,7 +104,7 @@ impl Question<'_> {
         let settings = fit::Settings { starts: 1, ..self.settings.clone() };
         let mut places = Vec::new();
         if explains_tensions(self.model) {
-            let optimum = elastostatic::find(self.model, samples, self.parameters, &settings, &|| ())?;
+            let optimum = elastostatic::find(self.model, samples, self.parameters, &settings, &unobserved)?;
             let squares = FrozenBalance::new(&optimum, samples, self.parameters, &settings);
             let scales = squares.scales();
             let mut parts = [self.part(Box::new(squares), self.parameters, scales)];

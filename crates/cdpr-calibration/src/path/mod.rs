@@ -13,11 +13,11 @@ mod validation;
 
 use serde::Serialize;
 
+use super::cross_validation::reported_part;
 use super::elastostatic::checked_start;
 use super::fit::{self, Fit, InputError, checked_parameters, explains_tensions};
 use super::loss::Loss;
 use super::objective;
-use super::selection::reported_part;
 use cdpr_model::measurement::{Fold, Samples};
 use cdpr_model::model::{FreeParameters, Model};
 use cdpr_model::reading::Keyword;

@@ -3,9 +3,11 @@
 use super::settings::Settings;
 use super::{CandidateFailure, Judgement};
 use crate::candidate::Candidate;
+use crate::cross_validation::{held_out_errors, reported_part};
 use crate::evaluation::{Evaluation, evaluate_fitted};
-use crate::fit::{self, Fit, fit};
+use crate::fit::{self, Fit, fit_observed};
 use crate::loss::Loss;
+use crate::progress::SharedProgress;
 use cdpr_model::measurement::{Fold, Samples, Split, SplitError};
 use cdpr_model::model::Model;
 use cdpr_model::robot::Robot;
@@ -18,7 +20,7 @@ pub(super) struct Problem<'a> {
     /// Regions that are left out besides.
     pub(super) regions: &'a [Fold],
     pub(super) settings: &'a Settings,
-    pub(super) progress: &'a (dyn Fn() + Sync),
+    pub(super) progress: &'a SharedProgress<'a>,
 }
 
 /// So many regions of the samples of the reported fit, each left out in turn.
@@ -31,11 +33,6 @@ pub(super) fn regions(samples: &Samples, folds: &[Fold], count: usize) -> Result
     let regions = Split::Region(count).folds(&samples.subset(&part), 0)?;
     let region = |fold: Fold| Fold { train: of_all(fold.train), validation: of_all(fold.validation), ..fold };
     Ok(regions.into_iter().map(region).collect())
-}
-
-/// Samples of the fit that is reported: the training part of one fold, everything where several take turns.
-pub(crate) fn reported_part(samples: &Samples, folds: &[Fold]) -> Vec<usize> {
-    if let [fold] = folds { fold.train.clone() } else { (0..samples.len()).collect() }
 }
 
 impl Problem<'_> {
@@ -56,7 +53,7 @@ impl Problem<'_> {
                 1 => None,
                 _ => Some(self.fit_to(&model, candidate, (&fold.train, reported.loss))?),
             };
-            errors.extend(&self.held_out(own.as_ref().unwrap_or(&reported), &fold.validation)?);
+            errors.extend(&held_out_errors(own.as_ref().unwrap_or(&reported), samples, &fold.validation)?);
             validation_samples.extend(&fold.validation);
             fold_sizes.push((fold.name.clone(), fold.validation.len()));
         }
@@ -71,19 +68,10 @@ impl Problem<'_> {
         (part, loss): (&[usize], Loss),
     ) -> Result<Fit, fit::InputError> {
         let settings = fit::Settings { loss, ..self.settings.fit.clone() };
-        let fitted = fit(model, &self.samples.subset(part), &candidate.free, &settings);
-        (self.progress)();
+        let silent = || self.progress.silent();
+        let fitted = fit_observed(model, &self.samples.subset(part), &candidate.free, &settings, &silent);
+        self.progress.report()?;
         fitted
-    }
-
-    /// Errors on samples that a fit had not seen.
-    fn held_out(&self, fitted: &Fit, places: &[usize]) -> Result<Evaluation, CandidateFailure> {
-        let held = match fitted.clock_offset {
-            // the whole recording has the neighbours of a pose at the edge of a fold
-            Some(_) => fitted.as_fitted(self.samples).subset(places),
-            None => fitted.as_fitted(&self.samples.subset(places)),
-        };
-        Ok(evaluate_fitted(&fitted.model, &held)?)
     }
 
     /// Errors on the regions left out besides; `None` without any.
@@ -96,7 +84,7 @@ impl Problem<'_> {
         let mut errors = Evaluation::default();
         for region in self.regions {
             let fitted = self.fit_to(model, candidate, (&region.train, loss))?;
-            errors.extend(&self.held_out(&fitted, &region.validation)?);
+            errors.extend(&held_out_errors(&fitted, self.samples, &region.validation)?);
         }
         Ok((!self.regions.is_empty()).then_some(errors))
     }

@@ -1,13 +1,16 @@
 //! Candidates compared without measured poses, by what they predict of a machine's own sensors.
 
-use super::judge::reported_part;
+use std::ops::ControlFlow;
+
 use super::settings::Settings;
 use super::{CandidateFailure, InputError, JudgedCandidate, Judgement, Selection, SelectionCriterion};
 use super::{comparison, map_all, preferences, rating, recommend, untried};
 use crate::candidate::Candidate;
+use crate::cross_validation::reported_part;
 use crate::evaluation::Evaluation;
 use crate::fit;
 use crate::plausibility::distrust;
+use crate::progress::SharedProgress;
 use crate::self_calibration::{Calibrated, Calibrations};
 use cdpr_model::measurement::{Fold, InternalSamples, Samples};
 use cdpr_model::model::Model;
@@ -24,7 +27,7 @@ pub fn select_without_poses(
     internal: &InternalSamples,
     folds: &[Fold],
     settings: &Settings,
-    progress: &(dyn Fn() + Sync),
+    progress: &(dyn Fn() -> ControlFlow<()> + Sync),
 ) -> Result<(Selection, Samples), InputError> {
     if candidates.is_empty() {
         return Err(InputError::NoCandidates);
@@ -33,8 +36,12 @@ pub fn select_without_poses(
         return Err(InputError::NoValidation);
     }
     let fit = fit::Settings { starts: settings.fit.starts.max(STARTS), ..settings.fit.clone() };
+    let progress = &SharedProgress::of(progress);
     let problem = Problem { robot, internal, folds, settings: &fit, progress };
     let outcomes = map_all(candidates, |candidate| (candidate.clone(), problem.judge(candidate)));
+    if progress.is_stopped() {
+        return Err(InputError::Stopped);
+    }
     let mut found = Vec::new();
     let mut judged = Vec::new();
     for (candidate, outcome) in outcomes {
@@ -70,7 +77,7 @@ struct Problem<'a> {
     internal: &'a InternalSamples,
     folds: &'a [Fold],
     settings: &'a fit::Settings,
-    progress: &'a (dyn Fn() + Sync),
+    progress: &'a SharedProgress<'a>,
 }
 
 impl Problem<'_> {
@@ -80,8 +87,8 @@ impl Problem<'_> {
         let model = Model::new(self.robot.clone(), candidate.composition)?;
         let calibrations = Calibrations { model: &model, internal, free: &candidate.free, settings };
         let calibrated = |part: &[usize]| {
-            let found = calibrations.from(part, &|| ());
-            (self.progress)();
+            let found = calibrations.from(part, &|| self.progress.silent());
+            self.progress.report()?;
             found
         };
         let part = reported_part(&internal.samples, folds);

@@ -5,6 +5,7 @@ use super::sensor_fit::SensorFit;
 use super::vectors::Sensing;
 use crate::fit::{InputError, Settings};
 use crate::objective::{Sensor, Weights, search};
+use crate::progress::unobserved;
 use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 use cdpr_model::robot::Parameter;
@@ -59,7 +60,7 @@ impl Question<'_> {
     ) -> Result<(Vec<SensorFit>, Model, Vec<Pose>), InputError> {
         let mut vectors = self.start(model, parameters, Some(near))?;
         let units = self.units(self.scale(parameters, &vectors.poses())?);
-        let optimum = search(&mut vectors, model, parameters, units, settings, &|| (), None)?;
+        let optimum = search(&mut vectors, model, parameters, units, settings, &unobserved, None)?;
         let calibrated = optimum.calibrated().clone();
         let end = self.rows(&calibrated, parameters, Some(&vectors.poses()))?;
         Ok((self.sensor_fits(&end), calibrated, end.poses))

@@ -23,6 +23,7 @@ use super::fit::{Fit, InputError, Settings};
 use super::objective::{Units, report, search};
 use super::plausibility::{Distrust, beyond_length_accuracy};
 use super::unit_scale::joint_scales;
+use crate::progress::Progress;
 use cdpr_model::geometry::Pose;
 use cdpr_model::measurement::{InternalSamples, Samples};
 use cdpr_model::model::{FreeParameters, Model};
@@ -34,7 +35,7 @@ use gauge::Gauge;
 pub use gauge::GaugeFixing;
 use question::Question;
 pub use sensor_fit::SensorFit;
-pub use validation::cross_validate;
+pub use validation::cross_validate_without_poses;
 pub(super) use validation::{Calibrated, Calibrations};
 use vectors::PoseVectors;
 use written::{Written, stacked};
@@ -71,7 +72,7 @@ pub fn self_calibrate(
     internal: &InternalSamples,
     free: &FreeParameters,
     settings: &Settings,
-    progress: &dyn Fn(),
+    progress: &Progress<'_>,
 ) -> Result<SelfCalibration, InputError> {
     let mut question = Question::of(model, internal, free, settings)?;
     let equations = question.count_equations();

@@ -4,6 +4,8 @@ use super::evaluation::{at_agreed_poses, predict_sensors};
 use super::{SelfCalibration, self_calibrate};
 use crate::evaluation::Evaluation;
 use crate::fit::{Fit, InputError, Settings, fit};
+use crate::progress::unobserved;
+use crate::progress::{Progress, report};
 use cdpr_model::measurement::{Fold, InternalSamples, Samples};
 use cdpr_model::model::{FreeParameters, Model};
 
@@ -58,7 +60,7 @@ impl SelfCalibration {
 
 impl Calibrations<'_> {
     /// A calibration from some of the samples; `progress` is called after each start. Without free parameters the model is as given.
-    pub(crate) fn from(&self, part: &[usize], progress: &dyn Fn()) -> Result<Calibrated, InputError> {
+    pub(crate) fn from(&self, part: &[usize], progress: &Progress<'_>) -> Result<Calibrated, InputError> {
         let Self { model, free, settings, .. } = *self;
         let internal = self.internal.subset(part);
         if !free.is_empty() {
@@ -66,14 +68,14 @@ impl Calibrations<'_> {
         }
         let samples = at_agreed_poses(model, &internal)?;
         let fit = fit(model, &samples, free, settings)?;
-        progress();
+        report(progress)?;
         Ok(Calibrated { fit, are_changes: internal.are_changes })
     }
 }
 
 /// Errors on the samples that each fold holds out, of models calibrated with the others and of the model as given where it has any; with one fold, of
 /// the calibration that is handed over.
-pub fn cross_validate(
+pub fn cross_validate_without_poses(
     model: &Model,
     internal: &InternalSamples,
     free: &FreeParameters,
@@ -87,7 +89,7 @@ pub fn cross_validate(
         let held = internal.subset(&fold.validation);
         let errors = match folds.len() {
             1 => reported.predict(&held)?,
-            _ => calibrations.from(&fold.train, &|| ())?.predict(&held)?,
+            _ => calibrations.from(&fold.train, &unobserved)?.predict(&held)?,
         };
         after.extend(&errors);
         let given = predict_sensors(model, &held);

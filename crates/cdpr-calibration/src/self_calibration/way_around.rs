@@ -3,6 +3,7 @@
 //! Data that hold a shape weakly let the way to its optimum bend it by far, and a frame that is fixed by few anchors turns with each of them, so that descents end in a long, curved valley. Anchors
 //! that all move keep the frame where it is, and the way nearly straight.
 
+use crate::progress::unobserved;
 use nalgebra::DVector;
 
 use super::gauge::Gauge;
@@ -28,7 +29,7 @@ impl Question<'_> {
         free.hold_still(gauge);
         let mut vectors = free.start(&self.model, &self.parameters, Some(near))?;
         let units = free.units(free.scale(&self.parameters, &vectors.poses())?);
-        let found = search(&mut vectors, &self.model, &self.parameters, units, &one, &|| (), None)?;
+        let found = search(&mut vectors, &self.model, &self.parameters, units, &one, &unobserved, None)?;
         if !found.end().converged() {
             return Ok(None);
         }

@@ -1,5 +1,6 @@
 use super::drawing::Drawing;
 use super::*;
+use crate::progress::unobserved;
 use cdpr_model::robot::{Parameter, ParameterKind};
 
 /// One parameter with two wells, a flat valley of a second one, and a plateau from which no descent converges.
@@ -63,7 +64,7 @@ fn found(lower: f64, starts: u32) -> (Starts, Bottom) {
     let search = Search { parts: &parts, settings: &settings, samples: 10, tension: 0.0 };
     let mut wells = Wells { lower };
     let mut best = [wells.descend(0, &[0.0, 0.0])];
-    let starts = search.run(&mut wells, &mut best, &|| ());
+    let starts = search.run(&mut wells, &mut best, &unobserved).unwrap();
     let [best] = best;
     (starts, best)
 }

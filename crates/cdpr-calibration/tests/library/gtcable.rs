@@ -1,5 +1,6 @@
 //! A real robot: motion capture and encoders of the Georgia Tech graffiti robot, read where it may be read.
 
+use cdpr_calibration::unobserved;
 use std::path::PathBuf;
 
 use cdpr_calibration::candidate::parse_list;
@@ -151,7 +152,7 @@ fn each_held_out_fifth_is_predicted_and_the_calibrated_model_recommended() {
     let Some((robot, samples)) = data() else { return };
     let candidates = cdpr_calibration::candidate::defaults(&robot, Default::default());
     let folds = Split::Blocks(5).folds(&samples, 0).unwrap();
-    let selection = select(&robot, &candidates, &samples, &folds, &Settings::default(), &|| ()).unwrap();
+    let selection = select(&robot, &candidates, &samples, &folds, &Settings::default(), &unobserved).unwrap();
     for candidate in &selection.candidates {
         let judgement = candidate.outcome.as_ref().unwrap();
         println!(

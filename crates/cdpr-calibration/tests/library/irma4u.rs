@@ -258,7 +258,7 @@ fn no_model_of_the_swinging_platform_has_an_error_of_zero() {
     let candidates = parse_list("standard;standard:length-offset;standard:frame-anchor,length-offset").unwrap();
     let select = |robot: &Robot, criterion| {
         let settings = selection::Settings { criterion, ..selection::Settings::default() };
-        selection::select(robot, &candidates, &samples, &folds, &settings, &|| {}).unwrap()
+        selection::select(robot, &candidates, &samples, &folds, &settings, &cdpr_calibration::unobserved).unwrap()
     };
     let under_load = select(&robot, SelectionCriterion::Position);
     for candidate in &under_load.candidates {

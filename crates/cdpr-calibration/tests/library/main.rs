@@ -22,4 +22,5 @@ mod self_calibration_by_sensors;
 mod self_calibration_coverage;
 mod self_calibration_held_out;
 mod self_calibration_turned;
+mod stopping;
 mod verdicts;

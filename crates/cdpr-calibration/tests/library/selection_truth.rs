@@ -3,6 +3,7 @@
 use super::support::{measured, simulator, with_pulleys};
 use cdpr_calibration::candidate;
 use cdpr_calibration::selection::{Judgement, Selection, Settings, select};
+use cdpr_calibration::unobserved;
 use cdpr_model::measurement::{Fold, Samples};
 use cdpr_model::model::Composition;
 use cdpr_model::robot::Robot;
@@ -19,7 +20,7 @@ fn selection(start: &Robot, samples: &Samples) -> Selection {
         train: (0..TRAIN).collect(),
         validation: (TRAIN..TRAIN + VALIDATION).collect(),
     };
-    select(start, &candidate::defaults(start, Default::default()), samples, &[fold], &Settings::default(), &|| ())
+    select(start, &candidate::defaults(start, Default::default()), samples, &[fold], &Settings::default(), &unobserved)
         .unwrap()
 }
 

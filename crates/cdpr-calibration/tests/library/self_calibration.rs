@@ -2,6 +2,7 @@
 
 use super::support::builtin;
 use cdpr_calibration::fit::{InputError, Settings, Status};
+use cdpr_calibration::unobserved;
 use cdpr_calibration::{Comparison, GaugeConvention, SelfCalibration, self_calibrate};
 use cdpr_model::geometry::{Pose, Twist};
 use cdpr_model::measurement::{InternalSamples, MeasurementFile, ReadingOptions, Samples};
@@ -62,7 +63,7 @@ fn spools_are_calibrated_where_positions_tell_the_scale() {
     let Some((model, internal)) = probe(true) else { return };
     let settings = Settings { starts: 40, ..Settings::default() };
     let free = "frame-anchor,drum-radius".parse().unwrap();
-    let found = self_calibrate(&model, &internal, &free, &settings, &|| ()).unwrap();
+    let found = self_calibrate(&model, &internal, &free, &settings, &unobserved).unwrap();
     assert_eq!((found.fit.status, found.fit.starts.optima.len()), (Status::Converged, 1));
     assert!((1e6 * found.cost_m2 - 6.8572).abs() < 1e-4, "{}", found.cost_m2);
     assert_eq!((found.gauge.kind, found.gauge.free.len()), ("known", 0));
@@ -75,8 +76,9 @@ fn spools_are_calibrated_where_positions_tell_the_scale() {
     assert!(found.fit.warnings.iter().all(|words| !words.contains("scale")), "{:?}", found.fit.warnings);
 
     let (model, internal) = probe(false).unwrap();
-    let calibrate =
-        |free: &str| self_calibrate(&model, &internal, &free.parse().unwrap(), &Settings::default(), &|| ()).unwrap();
+    let calibrate = |free: &str| {
+        self_calibrate(&model, &internal, &free.parse().unwrap(), &Settings::default(), &unobserved).unwrap()
+    };
     let trap = calibrate("frame-anchor,drum-radius");
     let words = &trap.fit.warnings[0];
     assert!(words.starts_with("scale hangs on a hair") && words.contains("one known distance"), "{words}");
@@ -90,7 +92,7 @@ fn spools_are_calibrated_where_positions_tell_the_scale() {
     let distance = (anchors[0] - anchors[1]).norm();
     known.facts = vec![format!("distance[1,2]={distance}+-0.002").parse().unwrap()];
     let free = "frame-anchor,drum-radius".parse().unwrap();
-    let cured = self_calibrate(&model, &known, &free, &Settings::default(), &|| ()).unwrap();
+    let cured = self_calibrate(&model, &known, &free, &Settings::default(), &unobserved).unwrap();
     assert!(cured.fit.warnings.iter().all(|words| !words.contains("scale")), "{:?}", cured.fit.warnings);
     let sizes = |robot: &Robot| distances(robot).iter().sum::<f64>();
     let [shrunk, restored, whole] = [&trap, &cured, &found].map(|found| sizes(found.fit.model.robot()));
@@ -105,7 +107,7 @@ fn spools_are_calibrated_where_positions_tell_the_scale() {
 fn calibrated(set: &str, session: Option<&str>, starts: u32) -> Option<SelfCalibration> {
     let (model, samples) = hangprinter(set, session)?;
     let settings = Settings { starts, ..Settings::default() };
-    Some(self_calibrate(&model, &samples, &"frame-anchor".parse().unwrap(), &settings, &|| ()).unwrap())
+    Some(self_calibrate(&model, &samples, &"frame-anchor".parse().unwrap(), &settings, &unobserved).unwrap())
 }
 
 #[track_caller]
@@ -185,7 +187,7 @@ fn ranks(model: &Model, poses: &[Pose], known: &[bool], free: &str) -> [usize; 3
     internal.known.iter_mut().for_each(|own| own.copy_from_slice(known));
     internal.samples.sigmas.rotation = Some(0.0);
     let settings = Settings::default();
-    let found = self_calibrate(model, &internal, &free.parse().unwrap(), &settings, &|| ()).unwrap();
+    let found = self_calibrate(model, &internal, &free.parse().unwrap(), &settings, &unobserved).unwrap();
     [found.parameter_count, found.fit.analysis.rank, found.gauge.motions.len()]
 }
 
@@ -263,7 +265,7 @@ fn conventions_of_the_gauge_move_the_same_robot() {
     let model = Model::new(start.clone(), Composition::STANDARD).unwrap();
     let calibrate = |gauge| {
         let settings = Settings { gauge, ..Settings::default() };
-        self_calibrate(&model, &internal, &"frame-anchor".parse().unwrap(), &settings, &|| ())
+        self_calibrate(&model, &internal, &"frame-anchor".parse().unwrap(), &settings, &unobserved)
     };
     let held = calibrate(GaugeConvention::Anchors).unwrap();
     let least = calibrate(GaugeConvention::LeastChange).unwrap();
@@ -296,11 +298,11 @@ fn what_is_known_of_anchors_fixes_what_lengths_leave_open() {
     let distance = (height(0) - height(4)).norm();
     internal.facts = vec![format!("distance[1,5]={distance}").parse().unwrap(), "level[1,4]+-0.2".parse().unwrap()];
     let free = "frame-anchor".parse().unwrap();
-    let found = self_calibrate(&truth, &internal, &free, &Settings::default(), &|| ()).unwrap();
+    let found = self_calibrate(&truth, &internal, &free, &Settings::default(), &unobserved).unwrap();
     // a level takes one turn away
     assert_eq!((found.gauge.motions.len(), found.gauge.held.len()), (5, 5), "{:?}", found.gauge);
     internal.facts = vec!["distance[1,9]=1".parse().unwrap()];
-    let refused = self_calibrate(&truth, &internal, &free, &Settings::default(), &|| ()).unwrap_err();
+    let refused = self_calibrate(&truth, &internal, &free, &Settings::default(), &unobserved).unwrap_err();
     assert!(matches!(refused, InputError::Known(_)), "{refused}");
 }
 
@@ -315,7 +317,7 @@ fn without_noise_anchors_come_back_from_any_start() {
     }
     let model = Model::new(start, Composition::STANDARD).unwrap();
     let settings = Settings { starts: 8, ..Settings::default() };
-    let found = self_calibrate(&model, &internal, &"frame-anchor".parse().unwrap(), &settings, &|| ()).unwrap();
+    let found = self_calibrate(&model, &internal, &"frame-anchor".parse().unwrap(), &settings, &unobserved).unwrap();
     assert_eq!(found.fit.status, Status::Converged, "{}", found.fit.reason);
     let pairs = distances(found.fit.model.robot()).into_iter().zip(distances(truth.robot()));
     let worst = pairs.map(|(found, truth)| (found - truth).abs()).fold(0.0, f64::max);
@@ -336,7 +338,8 @@ fn intervals_hold_the_truth() {
         let mut internal = clean.clone();
         internal.samples.lengths.iter_mut().for_each(|length| *length += noise.sample(&mut generator));
         let settings = Settings::default();
-        let found = self_calibrate(&model, &internal, &"frame-anchor".parse().unwrap(), &settings, &|| ()).unwrap();
+        let found =
+            self_calibrate(&model, &internal, &"frame-anchor".parse().unwrap(), &settings, &unobserved).unwrap();
         for estimate in &found.fit.parameters {
             inside += usize::from(estimate.change.abs() <= 1.96 * estimate.sigma.unwrap());
             count += 1;
@@ -354,7 +357,7 @@ fn what_no_lengths_can_tell_is_refused_in_words() {
         let model = Model::new(robot, composition).unwrap();
         let poses = generic(&model, 4, (0.1, 0.1));
         let internal = InternalSamples::without_poses(exact(&model, &poses), model.dof(), false);
-        self_calibrate(&model, &internal, &free.parse().unwrap(), &Settings::default(), &|| ()).unwrap_err()
+        self_calibrate(&model, &internal, &free.parse().unwrap(), &Settings::default(), &unobserved).unwrap_err()
     };
     let three = refused(lines(3), Composition::STANDARD, "frame-anchor");
     assert!(matches!(three, InputError::NoEquationLeft { rows: 3, unknowns: 3, .. }), "{three}");

@@ -3,6 +3,7 @@
 
 use super::support::builtin;
 use cdpr_calibration::fit::{InputError, Settings, Status};
+use cdpr_calibration::unobserved;
 use cdpr_calibration::{Evaluation, SelfCalibration, evaluate_lengths, self_calibrate};
 use cdpr_model::equilibrium::elastostatics::{Settings as Forward, Solver, Status as Found};
 use cdpr_model::geometry::{Pose, Twist};
@@ -48,7 +49,7 @@ fn tensed(model: &Model, count: usize, (range, turn): (f64, f64)) -> InternalSam
 
 /// Parameters, rank and motions that nothing tells.
 fn ranks(model: &Model, internal: &InternalSamples, free: &str) -> [usize; 3] {
-    let found = self_calibrate(model, internal, &free.parse().unwrap(), &Settings::default(), &|| ()).unwrap();
+    let found = self_calibrate(model, internal, &free.parse().unwrap(), &Settings::default(), &unobserved).unwrap();
     assert!(found.fit.status != Status::NotConverged, "{free}: {}", found.fit.reason);
     [found.parameter_count, found.fit.analysis.rank, found.parameter_count - found.fit.parameters.len()]
 }
@@ -123,7 +124,7 @@ fn ranks_of_a_hanging_platform_are_those_of_the_requirement() {
     assert_eq!(ranks(&model, &with_angles, "frame-anchor,platform-anchor,length-offset"), [28, 25, 3]);
     // lengths alone
     let alone = InternalSamples { samples: Samples { tensions: None, ..internal.samples.clone() }, ..internal };
-    let refused = self_calibrate(&model, &alone, &"frame-anchor".parse().unwrap(), &Settings::default(), &|| ());
+    let refused = self_calibrate(&model, &alone, &"frame-anchor".parse().unwrap(), &Settings::default(), &unobserved);
     let refused = refused.unwrap_err();
     assert!(matches!(refused, InputError::NoEquationLeft { rows: 4, unknowns: 6, .. }), "{refused}");
     assert!(refused.to_string().contains("no equation is left"), "{refused}");
@@ -160,7 +161,8 @@ fn one_run_of_a_hanging_robot_calibrates_it_for_the_others() {
     assert!((0.7..0.85).contains(&length) && (0.7..0.85).contains(&swivel));
     for (free, first) in [("frame-anchor", 0), ("frame-anchor,tension-scale,tension-offset", 1)] {
         let start = std::time::Instant::now();
-        let found = self_calibrate(&model, &runs[first], &free.parse().unwrap(), &Settings::default(), &|| ()).unwrap();
+        let found =
+            self_calibrate(&model, &runs[first], &free.parse().unwrap(), &Settings::default(), &unobserved).unwrap();
         println!("{free} from {}: {:?} {}", RUNS[first], start.elapsed(), found.fit.reason);
         println!("{:?} {:?}", found.gauge, found.fit.warnings);
         found.sensors.iter().for_each(|fit| println!("{fit:?}"));
@@ -181,7 +183,7 @@ fn tensions_and_swivels_tell_where_the_winches_started() {
     internal.samples.lengths.iter_mut().zip(first.iter().cycle()).for_each(|(length, first)| *length -= first);
     internal.are_changes = true;
     let calibrate =
-        |free: &str| self_calibrate(&model, &internal, &free.parse().unwrap(), &Settings::default(), &|| ());
+        |free: &str| self_calibrate(&model, &internal, &free.parse().unwrap(), &Settings::default(), &unobserved);
     assert_eq!(calibrate("frame-anchor").unwrap_err(), InputError::ChangesBesideSensors);
     let found = calibrate("length-offset,tension-scale,tension-offset").unwrap();
     println!("{} {:?}", found.fit.reason, found.fit.warnings);
@@ -203,7 +205,7 @@ fn without_noise_zeros_of_winches_and_load_cells_come_out() {
     internal.samples.tensions.as_mut().unwrap().iter_mut().for_each(|tension| *tension = 1.1 * *tension + 2.0);
     internal.are_changes = true;
     let free = "length-offset,tension-scale,tension-offset".parse().unwrap();
-    let found = self_calibrate(&model, &internal, &free, &Settings::default(), &|| ()).unwrap();
+    let found = self_calibrate(&model, &internal, &free, &Settings::default(), &unobserved).unwrap();
     assert_eq!(found.fit.status, Status::Converged, "{}", found.fit.reason);
     for (cable, first) in found.fit.model.robot().cables.iter().zip(&first) {
         let zeros = [cable.length_offset.unwrap() + first, cable.tension_scale.unwrap() - 1.1];
@@ -234,7 +236,8 @@ fn load_cells_are_tared_only_beside_bench_values() {
     let calibrate = |priors: &[&str]| {
         let priors = priors.iter().map(|prior| prior.parse().unwrap()).collect();
         let settings = Settings { priors, ..Settings::default() };
-        self_calibrate(&model, &internal, &"tension-scale,tension-offset".parse().unwrap(), &settings, &|| ()).unwrap()
+        self_calibrate(&model, &internal, &"tension-scale,tension-offset".parse().unwrap(), &settings, &unobserved)
+            .unwrap()
     };
     let scales = |found: &SelfCalibration| {
         found.fit.model.robot().cables.iter().map(|cable| 1.0 / cable.tension_scale.unwrap()).collect::<Vec<f64>>()
@@ -292,7 +295,7 @@ fn intervals_of_all_sensors_hold_the_truth() {
         tensions.for_each(|value| *value += of_tension.sample(&mut generator));
         internal.swivels.iter_mut().flatten().for_each(|value| *value += of_swivel.sample(&mut generator));
         let free = ["length-offset,tension-scale", "frame-anchor,tension-scale"][run % 2].parse().unwrap();
-        let found = self_calibrate(&model, &internal, &free, &settings, &|| ()).unwrap();
+        let found = self_calibrate(&model, &internal, &free, &settings, &unobserved).unwrap();
         for estimate in &found.fit.parameters {
             inside += usize::from(estimate.change.abs() <= 1.96 * estimate.sigma.unwrap());
             count += 1;

@@ -2,6 +2,7 @@
 
 use super::self_calibration::exact;
 use cdpr_calibration::fit::{Settings, Status};
+use cdpr_calibration::unobserved;
 use cdpr_calibration::{SelfCalibration, self_calibrate};
 use cdpr_model::geometry::Pose;
 use cdpr_model::measurement::InternalSamples;
@@ -44,7 +45,7 @@ fn calibrated(noise: f64, seed: u64) -> SelfCalibration {
     samples.sigmas.length = Some(SIGMA);
     let internal = InternalSamples::without_poses(samples, 2, false);
     let settings = Settings { starts: 1, ..Settings::default() };
-    self_calibrate(&file, &internal, &"frame-anchor".parse().unwrap(), &settings, &|| ()).unwrap()
+    self_calibrate(&file, &internal, &"frame-anchor".parse().unwrap(), &settings, &unobserved).unwrap()
 }
 
 /// Shares of coordinates of anchors whose error is below 1.96 deviations, and below the half width of their 95 % intervals; and noise factors.

@@ -4,6 +4,7 @@ use super::self_calibration::{exact, five_lines, generic};
 use cdpr_calibration::candidate::parse_list;
 use cdpr_calibration::fit::Settings;
 use cdpr_calibration::selection::{self, SelectionCriterion, select_without_poses};
+use cdpr_calibration::unobserved;
 use cdpr_calibration::{evaluate_lengths, self_calibrate};
 use cdpr_model::measurement::{InternalSamples, Samples, Split};
 use cdpr_model::model::{Composition, Model};
@@ -23,7 +24,7 @@ fn errors_of_predicted_lengths_are_those_of_the_noise() {
     let truth = Model::new(five_lines(), Composition::STANDARD).unwrap();
     let exact_ones = InternalSamples::without_poses(exact(&truth, &generic(&truth, 30, (0.5, 0.0))), 3, false);
     let free = "frame-anchor".parse().unwrap();
-    let found = self_calibrate(&truth, &exact_ones, &free, &Settings::default(), &|| ()).unwrap();
+    let found = self_calibrate(&truth, &exact_ones, &free, &Settings::default(), &unobserved).unwrap();
     let sigma = 3e-4;
     let samples = noisy(&exact(&truth, &generic(&truth, 300, (0.5, 0.0))), sigma, 1);
     let held = InternalSamples::without_poses(samples, 3, false);
@@ -53,7 +54,7 @@ fn candidates_are_told_apart_without_poses_where_the_data_do_so() {
         let folds = Split::Blocks(4).folds(&shifted, 0).unwrap();
         let internal = InternalSamples::without_poses(shifted, 3, false);
         let settings = selection::Settings { criterion: SelectionCriterion::Length, ..Default::default() };
-        select_without_poses(&given, &candidates, &internal, &folds, &settings, &|| ()).unwrap()
+        select_without_poses(&given, &candidates, &internal, &folds, &settings, &unobserved).unwrap()
     };
     let (selection, found) = chosen(0.004);
     assert_eq!(selection.recommended, Some(1), "{}", selection.reason);

@@ -3,6 +3,7 @@
 use super::self_calibration::exact;
 use super::support::{builtin, measured, random_pose};
 use cdpr_calibration::fit::{Settings, Status};
+use cdpr_calibration::unobserved;
 use cdpr_calibration::{GaugeConvention, SelfCalibration, evaluate_lengths, self_calibrate};
 use cdpr_model::geometry::Pose;
 use cdpr_model::measurement::{InternalSamples, MeasurementFile, ReadingOptions};
@@ -33,7 +34,7 @@ fn read(path: &str, robot: &Robot) -> Option<InternalSamples> {
 fn calibrated(robot: &Robot, internal: &InternalSamples, free: &str, starts: u32) -> SelfCalibration {
     let model = Model::new(robot.clone(), Composition::STANDARD).unwrap();
     let settings = Settings { starts, ..Settings::default() };
-    self_calibrate(&model, internal, &free.parse().unwrap(), &settings, &|| ()).unwrap()
+    self_calibrate(&model, internal, &free.parse().unwrap(), &settings, &unobserved).unwrap()
 }
 
 /// A reported row: its pose was sought upside down, 47 mm off, where the forward problem finds it to rounding.
@@ -135,7 +136,7 @@ fn records_of_turned_platforms_lead_to_the_optimum_at_the_truth() {
 
 fn with_least_change(model: &Model, internal: &InternalSamples, free: &str, starts: u32) -> SelfCalibration {
     let settings = Settings { starts, gauge: GaugeConvention::LeastChange, ..Settings::default() };
-    self_calibrate(model, internal, &free.parse().unwrap(), &settings, &|| ()).unwrap()
+    self_calibrate(model, internal, &free.parse().unwrap(), &settings, &unobserved).unwrap()
 }
 
 /// Equations that keep anchors near the file's are no data: κ of the planar example's anchors over W_T1 by an SVD of the rows alone (16 625 was told), and a noise factor that other starts
@@ -176,7 +177,7 @@ fn elastic_robots_with_tensions_settle() {
         let model = Model::new(robot.clone(), Composition::ELASTIC).unwrap();
         let free = format!("frame-anchor,platform-anchor,compliance,wrench{further}");
         let settings = Settings { starts: 1, ..Settings::default() };
-        let found = self_calibrate(&model, &internal, &free.parse().unwrap(), &settings, &|| ()).unwrap();
+        let found = self_calibrate(&model, &internal, &free.parse().unwrap(), &settings, &unobserved).unwrap();
         println!("{} {} {}", found.fit.iterations, found.fit.analysis.rank, found.fit.reason);
         assert_eq!((found.fit.status, found.fit.analysis.rank), (Status::Converged, rank), "{}", found.fit.reason);
         assert_eq!(found.parameter_count, rank + 9);
@@ -192,6 +193,6 @@ fn anchors_of_a_hanging_robot_and_of_its_platform_are_answered() {
     let model = Model::new(robot, "pulley".parse().unwrap()).unwrap();
     let settings = Settings { starts: 1, ..Settings::default() };
     let free = "frame-anchor,platform-anchor".parse().unwrap();
-    let found = self_calibrate(&model, &internal, &free, &settings, &|| ()).unwrap();
+    let found = self_calibrate(&model, &internal, &free, &settings, &unobserved).unwrap();
     assert_eq!((found.parameter_count, found.fit.analysis.rank), (24, 18), "{}", found.fit.reason);
 }

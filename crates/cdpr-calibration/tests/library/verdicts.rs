@@ -4,6 +4,7 @@ use super::support::{builtin, measured, simulator};
 use cdpr_calibration::candidate::parse_list;
 use cdpr_calibration::fit;
 use cdpr_calibration::selection::{self, Selection, select};
+use cdpr_calibration::unobserved;
 use cdpr_model::measurement::Split;
 use cdpr_model::model::Composition;
 
@@ -14,7 +15,7 @@ fn selected(candidates: &str, max_iterations: u32) -> Selection {
     let folds = Split::Blocks(4).folds(&samples, 0).unwrap();
     let fit = fit::Settings { max_iterations, ..fit::Settings::default() };
     let settings = selection::Settings { fit, ..selection::Settings::default() };
-    select(&simulator(), &parse_list(candidates).unwrap(), &samples, &folds, &settings, &|| ()).unwrap()
+    select(&simulator(), &parse_list(candidates).unwrap(), &samples, &folds, &settings, &unobserved).unwrap()
 }
 
 /// One step leads nearly to the optimum, and to errors far below those of the model as given: the candidate is told with its errors and not recommended, by the rule nor by any

@@ -160,7 +160,7 @@ impl SelectionArguments {
         let progress = Progress::of(fit_count(&candidates, &data.folds, &settings), "comparing candidates");
         let start = Instant::now();
         let ComparisonData { robot, samples, internal, folds, data_name, .. } = &data;
-        let step = || progress.step();
+        let step = || progress.step_of_work();
         let selection = match internal {
             Some(internal) => select_without_poses(robot, &candidates, internal, folds, &settings, &step),
             None => select(robot, &candidates, samples, folds, &settings, &step).map(|own| (own, samples.clone())),

@@ -115,7 +115,15 @@ fn selected(robot: &Robot, samples: &Samples, candidates: &str, requirements: &[
         seed: 1,
         ..Settings::default()
     };
-    select(robot, &parse_list(candidates).unwrap(), samples, &fifths(samples.len()), &settings, &|| {}).unwrap()
+    select(
+        robot,
+        &parse_list(candidates).unwrap(),
+        samples,
+        &fifths(samples.len()),
+        &settings,
+        &cdpr_calibration::unobserved,
+    )
+    .unwrap()
 }
 
 fn page(robot: &Robot, samples: &Samples, selection: &Selection) -> String {

@@ -3,6 +3,7 @@
 use super::studies::study;
 use super::support::builtin;
 use cdpr_calibration::selection::{self, Judgement, Selection, Warnings, select};
+use cdpr_calibration::unobserved;
 use cdpr_calibration::{FrameEstimate, Prior, candidate, fit};
 use cdpr_model::control::simulate::simulate;
 use cdpr_model::control::winch_offsets;
@@ -65,7 +66,7 @@ fn chosen(file: &Robot, samples: &Samples) -> Selection {
         ..fit::Settings::default()
     };
     let settings = selection::Settings { fit, ..selection::Settings::default() };
-    select(file, &candidate::parse_list(list).unwrap(), samples, &folds[..1], &settings, &|| ()).unwrap()
+    select(file, &candidate::parse_list(list).unwrap(), samples, &folds[..1], &settings, &unobserved).unwrap()
 }
 
 fn recommended(selection: &Selection) -> &Judgement {

@@ -3,6 +3,7 @@
 use super::support::{builtin, measured, random_direction, simulator};
 use cdpr_calibration::fit::{Fit, Settings, Status, fit};
 use cdpr_calibration::selection::{self, Selection, Warnings, select};
+use cdpr_calibration::unobserved;
 use cdpr_calibration::{Loss, candidate};
 use cdpr_model::measurement::{Samples, Split};
 use cdpr_model::model::{Composition, Model};
@@ -95,7 +96,7 @@ fn chosen(samples: &Samples) -> Selection {
     let start = simulator();
     let folds = Split::Blocks(5).folds(samples, 0).unwrap();
     let candidates = candidate::defaults(&start, Default::default());
-    select(&start, &candidates, samples, &folds, &selection::Settings::default(), &|| ()).unwrap()
+    select(&start, &candidates, samples, &folds, &selection::Settings::default(), &unobserved).unwrap()
 }
 
 /// Outliers make every candidate err alike and its standard error large, so that the simplest would win: they are set aside for all.

@@ -7,6 +7,7 @@ use super::support::{builtin, operate, simulator, with_pulleys};
 use cdpr::calibration::candidate::{Ladder, defaults};
 use cdpr::calibration::fit::Prior;
 use cdpr::calibration::selection::{self, select};
+use cdpr::calibration::unobserved;
 use cdpr::calibration::{evaluate, fit};
 use cdpr::control::CommandedPose;
 use cdpr::control::simulate::simulate;
@@ -265,7 +266,7 @@ fn learn(model: &Model, input: &Input, pose: &Pose, sigmas: &[f64; 4]) {
     let candidates: Vec<_> = defaults(model.robot(), ladder).into_iter().step_by(3).collect();
     if let Ok(folds) = Split::Blocks(2).folds(&samples, 1) {
         let settings = selection::Settings { fit: settings, ..selection::Settings::default() };
-        let _ = select(model.robot(), &candidates, &samples, &folds, &settings, &|| ());
+        let _ = select(model.robot(), &candidates, &samples, &folds, &settings, &unobserved);
     }
 }
 

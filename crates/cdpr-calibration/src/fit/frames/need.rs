@@ -8,6 +8,7 @@ use crate::fit::checks::{checked_parameters, length_residuals};
 use crate::fit::optimum::find as optimum;
 use crate::loss::Loss;
 use crate::norms::median;
+use crate::progress::unobserved;
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::{Composition, FreeParameters, Model, RecordingParameter};
 use cdpr_model::robot::{ParameterKind, Robot};
@@ -91,7 +92,7 @@ fn in_frames(model: &Model, samples: &Samples, freed: &[RecordingParameter]) -> 
 fn misfit(model: &Model, samples: &Samples) -> Option<f64> {
     let (free, settings) = leaving_winches();
     let parameters = checked_parameters(model, samples, &free, &settings).ok()?;
-    let (optimum, _) = optimum(model, samples, &parameters, &settings, &|| ()).ok()?;
+    let (optimum, _) = optimum(model, samples, &parameters, &settings, &unobserved).ok()?;
     let fitted = optimum.calibrated(model).ok()?;
     let root = |sample: usize| {
         let residuals = length_residuals(&fitted, samples, sample);

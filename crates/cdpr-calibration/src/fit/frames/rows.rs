@@ -1,5 +1,6 @@
 //! Whitened rows of a model at its optimum, by its parameters and by the motion of the platform.
 
+use crate::progress::unobserved;
 use nalgebra::{DMatrix, DVector};
 
 use crate::blocks::Block;
@@ -60,12 +61,12 @@ impl Fitted {
     ) -> Result<Self, InputError> {
         let (calibrated, blocks) = match explains_tensions(model) {
             true => {
-                let optimum = elastostatic::find(model, samples, parameters, settings, &|| ())?;
+                let optimum = elastostatic::find(model, samples, parameters, settings, &unobserved)?;
                 let rows = elastostatic::pose_rows(&optimum, samples, parameters)?;
                 (optimum.calibrated().clone(), vec![rows])
             }
             false => {
-                let (optimum, _) = find(model, samples, parameters, settings, &|| ())?;
+                let (optimum, _) = find(model, samples, parameters, settings, &unobserved)?;
                 let calibrated = optimum.calibrated(model)?;
                 let blocks = cables(&calibrated, samples, parameters, &optimum);
                 (calibrated, blocks)

@@ -2,6 +2,7 @@
 
 use cdpr_calibration::Candidate;
 use cdpr_calibration::selection::{SelectionCriterion, Settings, Warnings, select, select_without_poses};
+use cdpr_calibration::unobserved;
 use cdpr_model::measurement::{Fold, InternalSamples, Samples};
 use cdpr_model::model::FreeParameters;
 
@@ -48,8 +49,8 @@ pub(super) fn page(
     let settings = Settings { fit: task.settings(), seed: arguments.seed, criterion, ..Settings::default() };
     let robot = task.model.robot();
     let compared = match internal {
-        Some(internal) => select_without_poses(robot, &candidates, internal, &folds, &settings, &|| ()),
-        None => select(robot, &candidates, &samples, &folds, &settings, &|| ()).map(|own| (own, samples)),
+        Some(internal) => select_without_poses(robot, &candidates, internal, &folds, &settings, &unobserved),
+        None => select(robot, &candidates, &samples, &folds, &settings, &unobserved).map(|own| (own, samples)),
     };
     let (mut selection, samples) = compared.map_err(|error| Failure::refused(&name, &error))?;
     // the user has chosen the model: the page is about it, whatever the model as given can do

@@ -1,14 +1,13 @@
 //! One identification: its fits, and errors on data that they saw and did not see.
 
-use cdpr_calibration::fit::{self, Fit, descent_count, fit_observed};
+use cdpr_calibration::fit::{self, Fit, descent_count};
 use cdpr_calibration::selection::Warnings;
 use cdpr_calibration::{
-    CourseStep, DoubtKind, ErrorBlocks, Evaluation, EvaluationError, Loss, ObjectiveValues, clock_warning, course,
-    evaluate_fitted, frame_warning,
+    CourseStep, CrossValidation, CrossValidationError, DoubtKind, ErrorBlocks, Evaluation, Loss, ObjectiveValues,
+    clock_warning, course, cross_validate, cross_validation_fits, evaluate_fitted, evaluate_given, frame_warning,
 };
 use cdpr_model::measurement::{Samples, Split};
 use cdpr_model::model::Model;
-use cdpr_model::robot::ParameterKind;
 use cdpr_reports::answers::{self, IdentificationAnswer, ObjectiveAnswer};
 use cdpr_study::{Driven, compare_objectives};
 
@@ -27,14 +26,17 @@ pub(super) struct Task<'a> {
     pub(super) progress: &'a Progress,
 }
 
-/// The reported fit, how many samples it was fitted to, those of them that are no outliers, and errors on data that it was not fitted
-/// to (after, before).
+/// The reported fit.
 pub(super) struct Identification {
     pub(super) fit: Fit,
+    /// Number of samples that it was fitted to.
     pub(super) samples: usize,
     pub(super) frame_warning: Option<String>,
+    /// Samples that it was fitted to without outliers, in the robot's frame, with the clocks of the record.
     pub(super) train: Samples,
+    /// The same with the clocks that it found.
     pub(super) train_on_one_clock: Samples,
+    /// Errors of the calibrated model and of the model as given on samples that it was not fitted to.
     pub(super) validation: Option<(Evaluation, Evaluation)>,
     pub(super) course: Vec<CourseStep>,
 }
@@ -45,11 +47,6 @@ impl Task<'_> {
         if split.is_none() && validation.is_none() && Split::Column.folds(self.samples, 0).is_ok() {
             output.remark("all rows are fitted to; `--split column` holds out those that the column `set` names");
         }
-    }
-
-    /// A fit to all samples.
-    fn of_all(&self, fit: Fit, validation: Option<(Evaluation, Evaluation)>) -> Result<Identification, Failure> {
-        self.of(fit, self.samples, validation)
     }
 
     /// A fit to these samples.
@@ -68,47 +65,41 @@ impl Task<'_> {
         Ok(Identification { fit, samples: samples.len(), frame_warning, train, train_on_one_clock, validation, course })
     }
 
-    /// Fits to all samples or to those of the one fold; several folds are only fitted to for judging.
+    /// Fits to all samples, or to folds of them; other samples, if given, judge the fit.
     pub(super) fn identify(&self, other: Option<&Samples>) -> Result<Identification, Failure> {
-        if let Some(other) = other {
-            let fit = self.fit(self.samples)?;
-            let validation = Some((
+        let folds = match self.arguments.split.filter(|_| other.is_none()) {
+            Some(split) => split
+                .folds(self.samples, self.arguments.seed)
+                .map_err(|error| Failure::refused(&format!("{}: --split", self.arguments.data.name()), &error))?,
+            None => Vec::new(),
+        };
+        self.progress.expect(self.descents(cross_validation_fits(&folds)));
+        let (free, settings) = (&self.arguments.free, self.settings());
+        let found = cross_validate(self.model, self.samples, free, &settings, &folds, &|| self.progress.step_of_work());
+        let CrossValidation { mut fit, part, after, before } = found.map_err(|error| self.refused(&error))?;
+        let train = self.samples.subset(&part);
+        fit.warnings.extend(clock_warning(&fit, &train, free, &settings));
+        let validation = match other {
+            Some(other) => Some((
                 self.evaluate(&fit.model, &fit.as_fitted(other))?,
                 self.evaluate_given(&fit.in_robot_frame(other))?,
-            ));
-            return self.of_all(fit, validation);
-        }
-        let Some(split) = self.arguments.split else {
-            return self.of_all(self.fit(self.samples)?, None);
+            )),
+            None => (!folds.is_empty()).then_some((after, before)),
         };
-        let folds = split
-            .folds(self.samples, self.arguments.seed)
-            .map_err(|error| Failure::refused(&format!("{}: --split", self.arguments.data.name()), &error))?;
-        self.progress.expect(self.descents(if folds.len() == 1 { 1 } else { folds.len() + 1 }));
-        let (mut after, mut before) = (Evaluation::default(), Evaluation::default());
-        // the loss is chosen once, by all data of the reported fit
-        let everything: Vec<usize> = (0..self.samples.len()).collect();
-        let part = if let [fold] = &folds[..] { &fold.train } else { &everything };
-        let train = self.samples.subset(part);
-        let reported = self.fit(&train)?;
-        for fold in &folds {
-            let held = self.samples.subset(&fold.validation);
-            let of_fold = match folds.len() {
-                1 => None,
-                _ => Some(self.fit_under(reported.loss, &self.samples.subset(&fold.train))?),
-            };
-            let fit = of_fold.as_ref().unwrap_or(&reported);
-            // the whole recording has the neighbours of a pose at the edge of a part
-            let as_fitted = match fit.clock_offset {
-                Some(_) => fit.as_fitted(self.samples).subset(&fold.validation),
-                None => fit.as_fitted(&held),
-            };
-            after.extend(&self.evaluate(&fit.model, &as_fitted)?);
-            before.extend(&self.evaluate_given(&fit.in_robot_frame(&held))?);
-        }
-        let mut result = self.of(reported, &train, Some((after, before)))?;
-        result.fit.renumber_outliers(part);
+        let mut result = self.of(fit, &train, validation)?;
+        result.fit.renumber_outliers(&part);
         Ok(result)
+    }
+
+    /// Refuses what a fit refuses, by the option or the file that is at fault.
+    fn refused(&self, error: &CrossValidationError) -> Failure {
+        match error {
+            CrossValidationError::Fit(fit::InputError::Parameters(error)) => {
+                Failure::refused("--free or --hold", error)
+            }
+            CrossValidationError::Fit(error) => Failure::refused(&self.arguments.data.name(), error),
+            CrossValidationError::Evaluation(error) => Failure::refused(&self.model.robot().name, error),
+        }
     }
 
     pub(super) fn settings(&self) -> fit::Settings {
@@ -120,34 +111,15 @@ impl Task<'_> {
         fits * descent_count(&self.settings())
     }
 
-    fn fit(&self, samples: &Samples) -> Result<Fit, Failure> {
-        self.fit_under(self.arguments.loss, samples)
-    }
-
-    fn fit_under(&self, loss: Loss, samples: &Samples) -> Result<Fit, Failure> {
-        let step = || self.progress.step();
-        let (free, settings) = (&self.arguments.free, fit::Settings { loss, ..self.settings() });
-        let mut fit = fit_observed(self.model, samples, free, &settings, &step).map_err(|error| match error {
-            fit::InputError::Parameters(error) => Failure::refused("--free or --hold", &error),
-            error => Failure::refused(&self.arguments.data.name(), &error),
-        })?;
-        fit.warnings.extend(clock_warning(&fit, samples, free, &settings));
-        Ok(fit)
-    }
-
     /// Errors of a model that was fitted.
     fn evaluate(&self, model: &Model, samples: &Samples) -> Result<Evaluation, Failure> {
         evaluate_fitted(model, samples).map_err(|error| Failure::refused(&self.model.robot().name, &error))
     }
 
-    /// Errors of the model as given; none where a file that a free wrench completes says nothing of the load.
+    /// Errors of the model as given.
     fn evaluate_given(&self, samples: &Samples) -> Result<Evaluation, Failure> {
-        match evaluate_fitted(self.model, samples) {
-            Err(EvaluationError::Load(_)) if self.arguments.free.names(ParameterKind::Wrench) => {
-                Ok(Evaluation::default())
-            }
-            other => other.map_err(|error| Failure::refused(&self.model.robot().name, &error)),
-        }
+        evaluate_given(self.model, samples, &self.arguments.free)
+            .map_err(|error| Failure::refused(&self.model.robot().name, &error))
     }
 
     /// Error figures without the samples that neither model explains, which a warning counts.

@@ -3,7 +3,7 @@
 use std::process::ExitCode;
 
 use cdpr_calibration::{
-    Comparison, Loss, Objective, SelfCalibration, cross_validate, evaluate_lengths, self_calibrate,
+    Comparison, Loss, Objective, SelfCalibration, cross_validate_without_poses, evaluate_lengths, self_calibrate,
 };
 use cdpr_model::measurement::{Fold, InternalSamples, Split};
 use cdpr_model::model::Model;
@@ -82,8 +82,9 @@ fn cross_validated(
     (folds, found): (&[Fold], &SelfCalibration),
 ) -> Result<Option<PoselessJudgement>, Failure> {
     let Some(split) = arguments.split else { return Ok(None) };
-    let (after, before) = cross_validate(model, samples, &arguments.free, &arguments.settings(), folds, found)
-        .map_err(|error| Failure::refused(&arguments.data.name(), &error))?;
+    let (after, before) =
+        cross_validate_without_poses(model, samples, &arguments.free, &arguments.settings(), folds, found)
+            .map_err(|error| Failure::refused(&arguments.data.name(), &error))?;
     Ok(Some(PoselessJudgement::of_parts(split, after.blocks(), before.map(|errors| errors.blocks()))))
 }
 
@@ -101,7 +102,7 @@ pub(super) fn run(arguments: &Arguments, model: &Model, output: &mut Output) -> 
     let progress = Progress::of(arguments.starts as usize, "calibrating");
     let settings = arguments.settings();
     let part = if let [fold] = &folds[..] { samples.subset(&fold.train) } else { samples.clone() };
-    let found = self_calibrate(model, &part, &arguments.free, &settings, &|| progress.step())
+    let found = self_calibrate(model, &part, &arguments.free, &settings, &|| progress.step_of_work())
         .map_err(|error| refused(&error))?;
     let comparison = arguments.frame.comparison(&found)?;
     let by_file = arguments
