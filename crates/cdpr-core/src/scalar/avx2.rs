@@ -130,6 +130,11 @@ impl Select for Avx2 {
     }
 
     #[inline(always)]
+    fn first(self) -> f64 {
+        self.to_array()[0]
+    }
+
+    #[inline(always)]
     fn abs(self) -> Self {
         let (token, [a, b]) = (self.token, self.halves);
         Self { token, halves: [token.abs_f64x4(a), token.abs_f64x4(b)] }

@@ -123,6 +123,11 @@ impl Select for Avx512 {
     }
 
     #[inline(always)]
+    fn first(self) -> f64 {
+        self.to_array()[0]
+    }
+
+    #[inline(always)]
     fn abs(self) -> Self {
         Self { token: self.token, value: self.token.abs_f64x8(self.value) }
     }

@@ -55,6 +55,11 @@ where
         a && !b
     }
 
+    #[inline]
+    fn first(self) -> f64 {
+        self.re
+    }
+
     fn abs(self) -> Self {
         if self.re < 0.0 { -self } else { self }
     }

@@ -106,6 +106,11 @@ impl Select for Portable {
     }
 
     #[inline(always)]
+    fn first(self) -> f64 {
+        self.to_array()[0]
+    }
+
+    #[inline(always)]
     fn abs(self) -> Self {
         self.each(f64x2::abs)
     }

@@ -31,6 +31,9 @@ pub trait Select: Real {
         self.constant(if holds { 0.0 } else { 1.0 }).is_less(self.constant(0.5))
     }
 
+    /// The number, or that of the first lane.
+    fn first(self) -> f64;
+
     /// Absolute value.
     fn abs(self) -> Self;
 
@@ -78,6 +81,11 @@ impl Select for f64 {
     #[inline]
     fn without(self, a: bool, b: bool) -> bool {
         a && !b
+    }
+
+    #[inline]
+    fn first(self) -> f64 {
+        self
     }
 
     #[inline]

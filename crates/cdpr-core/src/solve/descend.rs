@@ -20,12 +20,20 @@ pub fn descend<P: Problem>(problem: &mut P, rules: &Rules<P::Number>) -> Descent
     let n = rules.tolerance;
     let mut search = Search::<P>::new(rules);
     let mut steps = 0;
+    #[cfg(all(feature = "std", debug_assertions))]
+    let mut trace = super::trace::Trace::begin::<P>();
     loop {
         let goes_on = n.any(n.without(search.running, search.is_last));
         let outcome = problem.evaluate(search.fraction, !goes_on);
         let helps = n.both(search.running, outcome.helps);
         problem.accept(helps, search.contraction);
+        #[cfg(all(feature = "std", debug_assertions))]
+        let (step, fraction) = (search.step, search.fraction);
         search.judge(problem, &outcome, helps, steps == 0);
+        #[cfg(all(feature = "std", debug_assertions))]
+        if let Some(trace) = &mut trace {
+            trace.add(&step, fraction, &search.control, n.any(helps), search.stop);
+        }
         if !n.any(search.running) {
             break;
         }

@@ -10,6 +10,8 @@ mod damping;
 mod descend;
 #[cfg(test)]
 mod tests;
+#[cfg(all(feature = "std", debug_assertions))]
+mod trace;
 
 pub use bounded::Room;
 pub use damping::OF_SINGULAR;
