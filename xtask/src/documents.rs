@@ -1,7 +1,8 @@
-//! Links and includes of the book and of the pages at the root.
+//! Links and includes of the book and of the pages at the root, and what manifests say to registries.
 
 use std::path::{Path, PathBuf};
 
+use crate::dist;
 use crate::outcome::Outcome;
 
 /// Where book.toml is.
@@ -22,7 +23,8 @@ const PAGE: (&str, usize) = ("### In short", 60);
 const FOLDERS: &[&str] =
     &["benches/", "crates/", "docs/", "examples/", "fuzz/", "judges/", "schemas/", "studies/", "viewer/", "xtask/"];
 
-/// Complains of links and includes that lead nowhere, of pages that SUMMARY.md forgets, and of manifests that nobody could publish.
+/// Complains of links and includes that lead nowhere, of pages that SUMMARY.md forgets, and of manifests that nobody could
+/// publish.
 pub(crate) fn check(root: &Path) -> Outcome {
     let mut pages = markdown_files(&root.join("docs"));
     let book: Vec<PathBuf> = markdown_files(&root.join(BOOK));
@@ -42,7 +44,9 @@ pub(crate) fn check(root: &Path) -> Outcome {
     let summary = std::fs::read_to_string(root.join(BOOK).join("SUMMARY.md")).unwrap_or_default();
     complaints.extend(forgotten_pages(&root.join(BOOK), &book, &summary));
     complaints.extend(longer_than_a_page(&std::fs::read_to_string(root.join(CHANGES)).unwrap_or_default()));
-    Outcome::of(complaints)
+    let mut outcome = Outcome::of(complaints);
+    outcome.add(dist::manifests(root));
+    outcome
 }
 
 /// `:line: what` for every link or include whose file, or whose anchor in the file, does not exist.
