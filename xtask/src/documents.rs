@@ -23,8 +23,8 @@ const PAGE: (&str, usize) = ("### In short", 60);
 const FOLDERS: &[&str] =
     &["benches/", "crates/", "docs/", "examples/", "fuzz/", "judges/", "schemas/", "studies/", "viewer/", "xtask/"];
 
-/// Complains of links and includes that lead nowhere, of pages that SUMMARY.md forgets, and of manifests that nobody could
-/// publish.
+/// Complains of links and includes that lead nowhere, of pages that SUMMARY.md forgets, and of manifests that
+/// nobody could publish.
 pub(crate) fn check(root: &Path) -> Outcome {
     let mut pages = markdown_files(&root.join("docs"));
     let book: Vec<PathBuf> = markdown_files(&root.join(BOOK));

@@ -55,7 +55,7 @@ Tasks:
   interface            compare the libraries' public interfaces with the committed listings
   interface --accept   make them the committed listings
   dist                 pack the command into dist/: an archive and a wheel for Python, from the build for release
-  publish-check        all of a publication of the crates but the upload: packs each and compiles its package; asks the registry
+  publish-check        all of a publication but the upload: every crate is compiled from its package; asks the registry
   judge                let other programs judge our numbers and times (`judges/`, in a Python environment under target/)
   viewer               build viewer/ with an installed npm into the files that reports include
   book                 build the book into target/book; installs mdbook into target/tools where there is none";
