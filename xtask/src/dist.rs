@@ -40,13 +40,14 @@ pub(crate) fn check(root: &Path) -> Outcome {
     // packages of an earlier version would be taken for those of this one
     let _ = std::fs::remove_dir_all(&folder);
     let packages = folder.join("dist");
-    let packed = cargo::the_command(root).map(|command| start(root, &["check", &path(&command), &path(&packages)]));
-    let mut sum = packed.unwrap_or_else(|complaint| Outcome::of(vec![complaint]));
+    let (mut sum, python) = std::thread::scope(|scope| {
+        let python = scope.spawn(|| judge::new_environment(&folder.join("venv")));
+        let packed = cargo::the_command(root).map(|command| start(root, &["check", &path(&command), &path(&packages)]));
+        (packed.unwrap_or_else(|complaint| Outcome::of(vec![complaint])), python.join().unwrap_or_default())
+    });
     if sum.failed > 0 {
         return sum;
     }
-    let environment = folder.join("venv");
-    let python = judge::new_environment(&environment);
     for installed in [by_tar(&folder, &packages), by_pip(&folder, &packages, python.as_deref())] {
         sum.add(installed.unwrap_or_else(|complaint| Outcome::of(vec![complaint])));
     }
