@@ -156,6 +156,8 @@ pub(crate) const PORTABLE_TESTS: &[&str] = &[
     "xtask",
     "-p",
     "golden",
+    "-p",
+    "dist",
     "--lib",
     "--bins",
     "--tests",

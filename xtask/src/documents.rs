@@ -1,7 +1,8 @@
-//! Links and includes of the book and of the pages at the root.
+//! Links and includes of the book and of the pages at the root, and what manifests say to registries.
 
 use std::path::{Path, PathBuf};
 
+use crate::dist;
 use crate::outcome::Outcome;
 
 /// Where book.toml is.
@@ -12,15 +13,22 @@ const BOOK: &str = "docs/book/src";
 /// Pages that name files of the workspace in code, so that readers find them.
 const GUIDES: &[&str] = &["ARCHITECTURE.md", "CONTRIBUTING.md"];
 
+/// What changed for users: a page, and lists that are folded.
+const CHANGES: &str = "CHANGELOG.md";
+
+/// Heading of the page, and lines that it has at most.
+const PAGE: (&str, usize) = ("### In short", 60);
+
 /// Folders that a path in code begins with.
 const FOLDERS: &[&str] =
     &["benches/", "crates/", "docs/", "examples/", "fuzz/", "judges/", "schemas/", "studies/", "viewer/", "xtask/"];
 
-/// Complains of links and includes that lead nowhere, and of pages that SUMMARY.md forgets.
+/// Complains of links and includes that lead nowhere, of pages that SUMMARY.md forgets, and of manifests that
+/// nobody could publish.
 pub(crate) fn check(root: &Path) -> Outcome {
     let mut pages = markdown_files(&root.join("docs"));
     let book: Vec<PathBuf> = markdown_files(&root.join(BOOK));
-    pages.extend(["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", "CHANGELOG.md"].map(|name| root.join(name)));
+    pages.extend(["README.md", "ARCHITECTURE.md", "CONTRIBUTING.md", CHANGES].map(|name| root.join(name)));
     let mut complaints = Vec::new();
     for page in &pages {
         let name = page.strip_prefix(root).unwrap_or(page).display().to_string();
@@ -35,7 +43,10 @@ pub(crate) fn check(root: &Path) -> Outcome {
     }
     let summary = std::fs::read_to_string(root.join(BOOK).join("SUMMARY.md")).unwrap_or_default();
     complaints.extend(forgotten_pages(&root.join(BOOK), &book, &summary));
-    Outcome::of(complaints)
+    complaints.extend(longer_than_a_page(&std::fs::read_to_string(root.join(CHANGES)).unwrap_or_default()));
+    let mut outcome = Outcome::of(complaints);
+    outcome.add(dist::manifests(root));
+    outcome
 }
 
 /// `:line: what` for every link or include whose file, or whose anchor in the file, does not exist.
@@ -112,6 +123,20 @@ fn forgotten_pages(folder: &Path, pages: &[PathBuf], summary: &str) -> Vec<Strin
         .collect()
 }
 
+/// Complaint about the newest changes where their first part is no page.
+fn longer_than_a_page(changes: &str) -> Option<String> {
+    let (heading, most) = PAGE;
+    let newest = changes.split("\n## ").nth(1).unwrap_or_default();
+    let page = newest.split_once(heading).map(|(_, rest)| rest.split("\n### ").next().unwrap_or(rest));
+    let Some(page) = page else {
+        return Some(format!("{CHANGES}: the newest version has no part `{heading}` for users"));
+    };
+    let lines = page.lines().count();
+    (lines > most).then(|| {
+        format!("{CHANGES}: `{heading}` has {lines} lines, more than {most}; the lists below it have room for the rest")
+    })
+}
+
 /// All pages under a folder, but not those that mdbook built.
 fn markdown_files(folder: &Path) -> Vec<PathBuf> {
     let Ok(entries) = std::fs::read_dir(folder) else { return Vec::new() };
@@ -158,6 +183,15 @@ mod tests {
         let folder = Path::new("src");
         let pages = [folder.join("SUMMARY.md"), folder.join("a.md"), folder.join("b.md")];
         assert_eq!(forgotten_pages(folder, &pages, "- [A](a.md)"), ["docs/book/src/SUMMARY.md does not list b.md"]);
+    }
+
+    #[test]
+    fn the_page_of_changes_is_one_page() {
+        let changes =
+            |lines: usize| format!("# C\n\n## [1]\n\n### In short\n{}\n### Added\n- a\n", "a\n".repeat(lines));
+        assert_eq!(longer_than_a_page(&changes(50)), None);
+        assert!(longer_than_a_page(&changes(70)).is_some_and(|complaint| complaint.contains("more than 60")));
+        assert!(longer_than_a_page("# C\n\n## [1]\n\n### Added\n").is_some());
     }
 
     #[test]

@@ -4,7 +4,7 @@ use std::path::Path;
 use std::process::Command;
 
 use crate::outcome::Outcome;
-use crate::{cargo, notices};
+use crate::{cargo, dist, notices};
 
 /// A file and the `cdpr` command whose standard output it is.
 struct Generated {
@@ -37,7 +37,9 @@ pub(crate) fn check(root: &Path) -> Outcome {
             Err(error) => Some(format!("{}: {error}", file.path)),
         }
     });
-    Outcome::of(complaints.chain(notices::check(root)).collect())
+    let mut outcome = Outcome::of(complaints.chain(notices::check(root)).collect());
+    outcome.add(dist::licences(root));
+    outcome
 }
 
 /// Writes every file.

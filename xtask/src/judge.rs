@@ -151,6 +151,11 @@ fn environment(root: &Path) -> Result<PathBuf, String> {
     Ok(python)
 }
 
+/// Python of a new environment in a folder; `None` where there is no Python 3 with its module venv.
+pub(crate) fn new_environment(folder: &Path) -> Option<PathBuf> {
+    run(create(folder)).ok().map(|()| folder.join("bin/python"))
+}
+
 fn create(folder: &Path) -> Command {
     let python = on_path("python3").unwrap_or_else(|| "python3".into());
     let mut command = Command::new(python);

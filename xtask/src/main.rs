@@ -7,6 +7,7 @@ mod browser;
 mod cargo;
 mod circles;
 mod command;
+mod dist;
 mod documents;
 mod examples;
 mod format;
@@ -24,6 +25,7 @@ mod outcome;
 mod packages;
 mod programs;
 mod quick;
+mod readme;
 mod sentences;
 mod signatures;
 mod soak;
@@ -52,6 +54,8 @@ Tasks:
   instructions --accept   make them the committed counts
   interface            compare the libraries' public interfaces with the committed listings
   interface --accept   make them the committed listings
+  dist                 pack the command into dist/: an archive and a wheel for Python, from the build for release
+  publish-check        all of a publication but the upload: every crate is compiled from its package; asks the registry
   judge                let other programs judge our numbers and times (`judges/`, in a Python environment under target/)
   viewer               build viewer/ with an installed npm into the files that reports include
   book                 build the book into target/book; installs mdbook into target/tools where there is none";
@@ -78,6 +82,8 @@ fn main() -> ExitCode {
         ["instructions", "--accept"] => instructions::accept(&root),
         ["interface"] => interface::check(&root).into_result(),
         ["interface", "--accept"] => interface::accept(&root),
+        ["dist"] => dist::pack(&root),
+        ["publish-check"] => dist::publish_check(&root),
         ["judge"] => judge::check_with_times(&root).into_result(),
         ["viewer"] => browser::build(&root),
         ["book"] => book::build(&root),

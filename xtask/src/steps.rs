@@ -6,8 +6,8 @@ use std::time::{Duration, Instant};
 use crate::ahead::Ahead;
 use crate::outcome::Outcome;
 use crate::{
-    book, browser, cargo, command, documents, examples, format, generated, golden, ground, instructions, interface,
-    judge, layers,
+    book, browser, cargo, command, dist, documents, examples, format, generated, golden, ground, instructions,
+    interface, judge, layers,
 };
 
 /// One step of the entrance.
@@ -53,7 +53,7 @@ const STEPS: &[Step] = &[
     Step {
         name: "documents",
         action: Action::Own(documents::check),
-        remedy: "mend the link, or list the page in SUMMARY.md",
+        remedy: "mend the link, list the page in SUMMARY.md, or state in the manifest what is missing",
     },
     Step {
         name: "clippy",
@@ -102,6 +102,11 @@ const STEPS: &[Step] = &[
         name: "examples",
         action: Action::Own(examples::run),
         remedy: "run it alone: `cargo run -p examples --bin NAME`",
+    },
+    Step {
+        name: "dist",
+        action: Action::Own(dist::check),
+        remedy: "look at target/dist, where the packages are; `cargo xtask dist` packs them again",
     },
     Step { name: "book", action: Action::Own(book::check), remedy: "mend the page that mdbook names" },
     Step {
@@ -160,7 +165,7 @@ const DOCUMENTED: [&str; 8] =
     ["cdpr-core", "cdpr-model", "cdpr-workspace", "cdpr-plant", "cdpr-calibration", "cdpr-study", "cdpr-cli", "cdpr"];
 
 /// Steps that need what is fetched ahead.
-const FETCHED_FOR: [&str; 4] = ["book", "instructions", "judge", "browser"];
+const FETCHED_FOR: [&str; 5] = ["dist", "book", "instructions", "judge", "browser"];
 
 /// The first step that needs the builds for release; all steps after it may.
 const BUILT_FOR: &str = "command";

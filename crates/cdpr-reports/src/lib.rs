@@ -1,4 +1,4 @@
-//! Reports, pages and figures of the answers of [`cdpr`]: values in, text out.
+//! Reports, pages and figures of the answers of `cdpr`: values in, text out.
 //!
 //! Nothing here reads arguments, files or clocks, and nothing writes files: who asks (the command, a binding, a live page) does. What is
 //! written is a function of the values given, to the byte.

@@ -3,7 +3,7 @@
 //! Recorded lengths are the modelled ones plus a correction c(x) of the pose, the mean of a Gaussian process over
 //! residuals. Lengths recorded at a pose lead back to it, for any elasticity of the cables, so that a controller that
 //! sends φ(x) + c(x) comes to x. The map acts fully among its samples and fades to zero over a margin around them.
-//! [`cdpr_calibration::compensation`] makes maps and judges them; controllers use them here.
+//! `cdpr_calibration::compensation` makes maps and judges them; controllers use them here.
 
 mod correction;
 #[cfg(test)]

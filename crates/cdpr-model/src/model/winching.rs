@@ -98,7 +98,7 @@ impl Model {
         winch.controlled_length(motor_angle).map_err(|reason| self.groove(cable, reason))
     }
 
-    /// [`Model::recorded_length_of_motor_angle`] with its derivatives by the drum.
+    /// `Model::recorded_length_of_motor_angle` with its derivatives by the drum.
     pub fn motor_angle_gradient(&self, cable: usize, motor_angle: f64) -> Result<DrumLength, WinchError> {
         let winch = self.known_winch(cable)?;
         winch.drum.gradient(motor_angle / winch.gear_ratio).map_err(|reason| self.groove(cable, reason))

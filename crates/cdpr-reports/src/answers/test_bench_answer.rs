@@ -159,7 +159,7 @@ struct Keys<'a> {
     tension_of_strain_N: Option<&'a [f64]>,
 }
 
-/// Keys for a table [[cable]] of a robot file, from a record of a name (TOML).
+/// Keys for a table `[[cable]]` of a robot file, from a record of a name (TOML).
 pub fn cable_keys(solution: &Solution, record: &str) -> Result<String, toml::ser::Error> {
     let flat = toml::to_string(&Keys {
         axial_stiffness_EA_N: solution.linear.axial_stiffness,

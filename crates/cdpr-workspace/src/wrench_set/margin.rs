@@ -87,7 +87,7 @@ impl Zonotope {
         self.nearest(required).map_or(f64::NEG_INFINITY, |(distance, _)| distance)
     }
 
-    /// The capacity margin of a required set; `None` if it does not fit the rows (see [`RequiredSet::fits`]).
+    /// The capacity margin of a required set; `None` for one that does not fit the rows (see `RequiredSet::fits`).
     pub fn margin(&self, required: &RequiredSet) -> Option<Margin> {
         let (distance, facet) = self.nearest(required)?;
         let half_space = self.half_space(&facet);

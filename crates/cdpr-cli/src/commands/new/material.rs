@@ -53,7 +53,7 @@ impl Template {
 
 macro_rules! studies {
     ($($path:literal,)*) => {
-        &[$(EmbeddedFile { path: $path, text: include_str!(concat!("../../../../../studies/", $path)) },)*]
+        &[$(EmbeddedFile { path: $path, text: include_str!(concat!(env!("CDPR_STUDIES"), "/", $path)) },)*]
     };
 }
 
