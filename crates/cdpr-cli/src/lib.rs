@@ -17,6 +17,7 @@ mod keyword;
 mod measurements;
 mod meshes;
 mod numbers;
+mod option_headings;
 mod options;
 mod progress;
 mod scenario_file;
@@ -121,7 +122,7 @@ fn grouped(width: Option<usize>) -> clap::Command {
     let template = format!(
         "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{subcommands}{header}Options:{header:#}\n{{options}}{{after-help}}"
     );
-    command.help_template(template)
+    option_headings::under_headings(command.help_template(template))
 }
 
 /// `ROBOT` as it was given, a file or a name, of a command that takes one.
