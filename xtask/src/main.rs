@@ -25,6 +25,7 @@ mod packages;
 mod programs;
 mod quick;
 mod sentences;
+mod shells;
 mod signatures;
 mod soak;
 mod steps;

@@ -7,7 +7,7 @@ use crate::ahead::Ahead;
 use crate::outcome::Outcome;
 use crate::{
     book, browser, cargo, command, documents, examples, format, generated, golden, ground, instructions, interface,
-    judge, layers,
+    judge, layers, shells,
 };
 
 /// One step of the entrance.
@@ -103,6 +103,11 @@ const STEPS: &[Step] = &[
         action: Action::Own(examples::run),
         remedy: "run it alone: `cargo run -p examples --bin NAME`",
     },
+    Step {
+        name: "shells",
+        action: Action::Own(shells::check),
+        remedy: "ask `cdpr complete -- WORDS` yourself; the scripts are in crates/cdpr-cli/src/completion",
+    },
     Step { name: "book", action: Action::Own(book::check), remedy: "mend the page that mdbook names" },
     Step {
         name: "instructions",
@@ -160,7 +165,7 @@ const DOCUMENTED: [&str; 8] =
     ["cdpr-core", "cdpr-model", "cdpr-workspace", "cdpr-plant", "cdpr-calibration", "cdpr-study", "cdpr-cli", "cdpr"];
 
 /// Steps that need what is fetched ahead.
-const FETCHED_FOR: [&str; 4] = ["book", "instructions", "judge", "browser"];
+const FETCHED_FOR: [&str; 5] = ["shells", "book", "instructions", "judge", "browser"];
 
 /// The first step that needs the builds for release; all steps after it may.
 const BUILT_FOR: &str = "command";
