@@ -4,7 +4,7 @@
 use std::path::Path;
 use std::thread::{self, JoinHandle};
 
-use crate::{book, browser, command, instructions, judge};
+use crate::{book, browser, command, instructions, judge, shells};
 
 /// Work on threads of its own.
 #[derive(Default)]
@@ -19,7 +19,8 @@ impl Ahead {
         let (root, builds) = (root.to_path_buf(), root.to_path_buf());
         let fetch = move || {
             // one after the other: Debian's packages have one lock
-            let fetched: [(&str, Result<(), String>); 4] = [
+            let fetched: [(&str, Result<(), String>); 5] = [
+                ("shells", shells::fetch()),
                 ("instructions", instructions::fetch()),
                 ("judge", judge::fetch(&root)),
                 ("browser", browser::fetch(&root)),

@@ -41,6 +41,8 @@ pub(crate) fn check(root: &Path) -> Outcome {
             Err(error) => complaints.push(format!("{name}: {error}")),
         }
     }
+    let guide = std::fs::read_to_string(root.join("CONTRIBUTING.md")).unwrap_or_default();
+    complaints.extend(long_recipes(&guide));
     let summary = std::fs::read_to_string(root.join(BOOK).join("SUMMARY.md")).unwrap_or_default();
     complaints.extend(forgotten_pages(&root.join(BOOK), &book, &summary));
     complaints.extend(longer_than_a_page(&std::fs::read_to_string(root.join(CHANGES)).unwrap_or_default()));
@@ -87,6 +89,30 @@ fn lost_paths(root: &Path, text: &str) -> Vec<String> {
         lost.extend(lost_here.map(|path| format!(":{number}: there is no `{path}`")));
     }
     lost
+}
+
+/// Most steps of a recipe, a line each.
+const RECIPE_LINES: usize = 6;
+
+/// Complains of recipes (`### To add …`) with more steps than anybody follows, and of a guide without recipes.
+fn long_recipes(text: &str) -> Vec<String> {
+    let recipes: Vec<(&str, usize)> = text
+        .split("\n### To add ")
+        .skip(1)
+        .map(|recipe| {
+            let section = recipe.split("\n#").next().unwrap_or_default();
+            let name = section.lines().next().unwrap_or_default();
+            (name, section.lines().skip(1).filter(|line| !line.trim().is_empty()).count())
+        })
+        .collect();
+    if recipes.is_empty() {
+        return vec!["CONTRIBUTING.md has no recipes (`### To add …`)".to_owned()];
+    }
+    let is_long = |&&(_, lines): &&(&str, usize)| lines > RECIPE_LINES;
+    let complaint = |(name, lines): &(&str, usize)| {
+        format!("CONTRIBUTING.md: the recipe \"To add {name}\" has {lines} lines, and at most {RECIPE_LINES} are read")
+    };
+    recipes.iter().filter(is_long).map(complaint).collect()
 }
 
 /// Targets of `{{#include …}}` in a line.
@@ -155,6 +181,15 @@ fn markdown_files(folder: &Path) -> Vec<PathBuf> {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn a_recipe_has_six_lines_at_most() {
+        let steps = |count: usize| (1..=count).map(|k| format!("{k}. Do.\n")).collect::<String>();
+        let guide = |count| format!("# Guide\n\n### To add a law\n\n{}\n### To add a page\n\n1. Do.\n", steps(count));
+        assert_eq!(long_recipes(&guide(6)), Vec::<String>::new());
+        assert_eq!(long_recipes(&guide(7)).len(), 1);
+        assert_eq!(long_recipes("# Guide\n").len(), 1);
+    }
 
     #[test]
     fn a_dead_link_is_named_with_its_line_and_a_web_address_is_not_followed() {

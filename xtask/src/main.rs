@@ -27,6 +27,7 @@ mod programs;
 mod quick;
 mod readme;
 mod sentences;
+mod shells;
 mod signatures;
 mod soak;
 mod steps;

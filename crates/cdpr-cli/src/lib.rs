@@ -6,6 +6,7 @@
 mod answer;
 mod commands;
 mod compensation_option;
+mod completion;
 mod console;
 mod diagnostics;
 
@@ -17,6 +18,7 @@ mod keyword;
 mod measurements;
 mod meshes;
 mod numbers;
+mod option_headings;
 mod options;
 mod progress;
 mod scenario_file;
@@ -83,6 +85,11 @@ Examples:
 /// ```
 pub fn run(arguments: impl IntoIterator<Item = OsString>, out: &mut dyn Stream, err: &mut dyn Stream) -> ExitCode {
     let arguments: Vec<OsString> = arguments.into_iter().collect();
+    if let Some(words) = completion::asked(&arguments) {
+        // a shell that does not listen any more needs no answer
+        let _ = out.write_all(completion::answer(CommandLine::command(), &words).as_bytes());
+        return ExitCode::SUCCESS;
+    }
     let words: Vec<String> = arguments.iter().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
     let matches = grouped(out.width()).try_get_matches_from(&arguments);
     let parsed = matches.and_then(|matches| Ok((CommandLine::from_arg_matches(&matches)?, matches)));
@@ -121,7 +128,7 @@ fn grouped(width: Option<usize>) -> clap::Command {
     let template = format!(
         "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{subcommands}{header}Options:{header:#}\n{{options}}{{after-help}}"
     );
-    command.help_template(template)
+    option_headings::under_headings(command.help_template(template))
 }
 
 /// `ROBOT` as it was given, a file or a name, of a command that takes one.

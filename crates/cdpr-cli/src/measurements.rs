@@ -72,6 +72,15 @@ pub(crate) struct SigmaOption {
     sigma: f64,
 }
 
+/// Sensors by their names, which end with the unit.
+const SENSORS: [(&str, Sensor); 5] = [
+    ("position_m", Sensor::Position),
+    ("rotation_rad", Sensor::Rotation),
+    ("length_m", Sensor::Length),
+    ("tension_N", Sensor::Tension),
+    ("swivel_rad", Sensor::Swivel),
+];
+
 #[derive(Clone, Copy, Debug)]
 enum Sensor {
     Position,
@@ -81,23 +90,23 @@ enum Sensor {
     Swivel,
 }
 
+impl SigmaOption {
+    /// Names of the sensors.
+    pub(crate) fn names() -> impl Iterator<Item = &'static str> {
+        SENSORS.into_iter().map(|(name, _)| name)
+    }
+}
+
 impl FromStr for SigmaOption {
     type Err = Unreadable;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
         let (name, value) = text.split_once('=').ok_or("write NAME=SIGMA, e.g. position_m=0.001")?;
-        let sensor = match name.trim() {
-            "position_m" => Sensor::Position,
-            "rotation_rad" => Sensor::Rotation,
-            "length_m" => Sensor::Length,
-            "tension_N" => Sensor::Tension,
-            "swivel_rad" => Sensor::Swivel,
-            other => {
-                return Err(format!(
-                    "`{other}` is not a sensor; known are position_m, rotation_rad, length_m, tension_N, swivel_rad"
-                )
-                .into());
-            }
+        let name = name.trim();
+        let Some((_, sensor)) = SENSORS.into_iter().find(|(known, _)| *known == name) else {
+            return Err(
+                format!("`{name}` is not a sensor; known are {}", SENSORS.map(|(known, _)| known).join(", ")).into()
+            );
         };
         Ok(Self { sensor, sigma: number_from_zero(value)? })
     }

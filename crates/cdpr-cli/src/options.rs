@@ -8,6 +8,7 @@ use rayon::{ThreadPool, ThreadPoolBuilder};
 use crate::answer::{Format, Output};
 use crate::console::{ColorChoice, Console};
 use crate::failure::Failure;
+use crate::option_headings::GENERAL;
 
 /// Threads that any machine can start.
 const MOST_THREADS: usize = 64;
@@ -17,7 +18,7 @@ const STACK: usize = 8 << 20;
 
 /// How the run talks and how much of the computer it takes.
 #[derive(Debug, Args)]
-#[command(next_help_heading = "Global options")]
+#[command(next_help_heading = GENERAL)]
 pub(crate) struct GlobalOptions {
     /// Write the answer as tables for people, or as one JSON object (numbers that are not finite are null).
     #[arg(long, global = true, value_enum, default_value_t = Format::Text, value_name = "text|json")]

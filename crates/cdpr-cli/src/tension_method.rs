@@ -105,19 +105,25 @@ pub(crate) fn methods_in_words() -> String {
 
 /// `--reference`.
 #[derive(Clone, Debug)]
-enum ReferenceArgument {
+pub(crate) enum ReferenceArgument {
     Middle,
     Previous,
     Given(NumberList),
+}
+
+impl ReferenceArgument {
+    /// Words that stand for tensions.
+    pub(crate) const WORDS: [&'static str; 2] = ["middle", "previous"];
 }
 
 impl FromStr for ReferenceArgument {
     type Err = Unreadable;
 
     fn from_str(text: &str) -> Result<Self, Self::Err> {
+        let [middle, previous] = Self::WORDS;
         match text {
-            "middle" => Ok(Self::Middle),
-            "previous" => Ok(Self::Previous),
+            word if word == middle => Ok(Self::Middle),
+            word if word == previous => Ok(Self::Previous),
             _ => {
                 let given = text.parse().map(Self::Given);
                 given.map_err(|why| format!("middle, previous or tensions expected; {why}").into())

@@ -98,6 +98,11 @@ impl Default for RowWeights {
     }
 }
 
+impl RowWeights {
+    /// Names of the rows, as they are written.
+    pub const NAMES: [&'static str; 2] = ["length", "wrench"];
+}
+
 impl FromStr for RowWeights {
     type Err = InputError;
 
@@ -108,9 +113,10 @@ impl FromStr for RowWeights {
         for item in text.split(',') {
             let (name, value) = item.split_once('=').ok_or_else(syntax)?;
             let value: f64 = value.trim().parse().map_err(|_| syntax())?;
+            let [length, wrench] = Self::NAMES;
             let own = match name.trim() {
-                "length" => &mut weights.length,
-                "wrench" => &mut weights.wrench,
+                name if name == length => &mut weights.length,
+                name if name == wrench => &mut weights.wrench,
                 _ => return Err(syntax()),
             };
             if !(value > 0.0 && value.is_finite()) {

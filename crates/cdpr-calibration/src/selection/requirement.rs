@@ -123,6 +123,11 @@ impl FromStr for Requirement {
 }
 
 impl Requirement {
+    /// Names of the figures that can be limited.
+    pub fn figures() -> impl Iterator<Item = &'static str> {
+        METRICS.iter().map(|(name, _)| *name)
+    }
+
     /// Compares a candidate's validation errors with the limit. Samples without an answer break it: nothing tells that they
     /// would keep it.
     pub(super) fn judge(&self, errors: &ErrorBlocks) -> RequirementOutcome {

@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use crate::CommandLine;
 use crate::answer::{Answer, Output};
+use crate::completion;
 use crate::failure::Failure;
 
 const EXAMPLES: &str = "\
@@ -18,6 +19,10 @@ Examples:
   cdpr completions powershell >> $PROFILE";
 
 /// Print the completions of a shell: its script completes commands, options, their values and file names.
+///
+/// The scripts of bash, zsh and fish ask `cdpr` itself: names of built-in robots, effects of a model after each `+`, parameters of a list
+/// after each comma, criteria with their numbers, methods, error codes. They need not be printed anew for a new version. Those of elvish and
+/// PowerShell know commands, options and short lists of choices.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -39,10 +44,18 @@ impl Answer for Completions {
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
+    let script = match arguments.shell {
+        Shell::Bash => completion::BASH.to_owned(),
+        Shell::Zsh => completion::ZSH.to_owned(),
+        Shell::Fish => completion::FISH.to_owned(),
+        other => without_values(other),
+    };
+    output.answer(&Completions { shell: arguments.shell.to_string(), script })
+}
+
+/// A script that knows commands, options and the choices of short lists.
+fn without_values(shell: Shell) -> String {
     let mut script = Vec::new();
-    clap_complete::generate(arguments.shell, &mut CommandLine::command(), "cdpr", &mut script);
-    output.answer(&Completions {
-        shell: arguments.shell.to_string(),
-        script: String::from_utf8_lossy(&script).into_owned(),
-    })
+    clap_complete::generate(shell, &mut CommandLine::command(), "cdpr", &mut script);
+    String::from_utf8_lossy(&script).into_owned()
 }

@@ -56,7 +56,7 @@ pub(crate) struct Arguments {
 
 /// Tensions, or how they are found.
 #[derive(Clone, Debug)]
-enum TargetArgument {
+pub(crate) enum TargetArgument {
     Method(Method),
     Tensions(Vec<f64>),
 }

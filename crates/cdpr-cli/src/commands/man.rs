@@ -11,7 +11,7 @@ use serde::Serialize;
 use crate::CommandLine;
 use crate::answer::{Answer, Output};
 use crate::failure::Failure;
-use crate::files;
+use crate::{files, option_headings};
 use cdpr_reports::answers::PROGRAM;
 
 const EXAMPLES: &str = "\
@@ -50,7 +50,7 @@ impl Answer for Written {
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
-    let mut root = CommandLine::command();
+    let mut root = option_headings::under_headings(CommandLine::command());
     root.build();
     let Some(folder) = arguments.out else {
         let page = String::from_utf8_lossy(&page(&root)).into_owned();

@@ -96,9 +96,13 @@ impl Start {
     }
 }
 
+/// Names of the templates and of the book's studies.
+pub(crate) fn names() -> impl Iterator<Item = &'static str> {
+    material::TEMPLATES.iter().map(|template| template.name).chain(material::study_names())
+}
+
 fn unknown(name: &str) -> Failure {
-    let known = || material::TEMPLATES.iter().map(|template| template.name).chain(material::study_names());
-    let help = match did_you_mean(name, known()) {
+    let help = match did_you_mean(name, names()) {
         Some(meant) => format!("did you mean `{meant}`? `cdpr new` lists the templates and studies"),
         None => "`cdpr new` lists the templates and studies; a motion pattern (2T, 3T, 1R2T, 3R3T) names its template"
             .to_owned(),

@@ -69,7 +69,7 @@ pub(crate) struct SelectionArguments {
 
 /// A list of candidates as one argument.
 #[derive(Clone, Debug)]
-struct CandidateList(Vec<Candidate>);
+pub(crate) struct CandidateList(Vec<Candidate>);
 
 fn candidate_list(text: &str) -> Result<CandidateList, CandidateError> {
     candidate::parse_list(text).map(CandidateList)

@@ -6,34 +6,62 @@ use super::{cdpr, cdpr_in};
 use crate::command_line::COMMANDS;
 
 #[test]
-fn completions_of_every_shell_know_every_command() {
+fn every_shell_has_a_script_and_those_that_ask_are_told_every_command() {
     for shell in ["bash", "zsh", "fish", "elvish", "powershell"] {
         let run = cdpr(&format!("completions {shell}"));
         assert_eq!(run.exit_code, 0, "{shell}: {}", run.stderr);
+        let asks = run.stdout.contains(" complete -- ");
+        assert_eq!(asks, !["elvish", "powershell"].contains(&shell), "{shell}");
+        let told = if asks { asked(&[""]) } else { run.stdout.clone() };
         for command in COMMANDS {
-            assert!(run.stdout.contains(command), "{shell} does not know {command}");
+            assert!(told.contains(command), "{shell} does not know {command}");
         }
         let json = cdpr(&format!("completions {shell} --format json")).json();
         assert_eq!((json["shell"].as_str(), json["script"].as_str()), (Some(shell), Some(run.stdout.as_str())));
     }
 }
 
-/// `bash -n` reads the script without running it; where there is no bash there is nothing to check.
+/// Answer to the scripts for these words.
+fn asked(words: &[&str]) -> String {
+    let run = super::run(assert_cmd::Command::cargo_bin("cdpr").unwrap().args(["complete", "--"]).args(words));
+    assert_eq!((run.exit_code, run.stderr.as_str()), (0, ""), "{words:?}");
+    run.stdout
+}
+
+/// Nothing is checked without a bash. `cargo xtask test --only shells` asks zsh and fish, too.
 #[test]
 #[expect(clippy::print_stderr, reason = "a test that skips says so")]
-fn the_completions_of_bash_are_a_script_that_completes_an_option() {
+fn the_completions_of_bash_are_a_script_that_completes_an_option_and_a_value() {
     let folder = tempfile::tempdir().unwrap();
     let script = folder.path().join("cdpr.bash");
     std::fs::write(&script, cdpr("completions bash").stdout).unwrap();
-    let ask = format!(
-        "source {} && COMP_WORDS=(cdpr select --requ) && COMP_CWORD=2 && _cdpr cdpr --requ select && echo \"${{COMPREPLY[@]}}\"",
-        script.display()
-    );
-    let Ok(output) = Command::new("bash").args(["-c", &ask]).output() else {
-        eprintln!("skipped: there is no bash");
-        return;
-    };
-    assert_eq!(String::from_utf8_lossy(&output.stdout), "--require\n", "{}", String::from_utf8_lossy(&output.stderr));
+    let program = assert_cmd::cargo::cargo_bin("cdpr");
+    for (line, words, proposed) in [
+        ("cdpr select --requ", "cdpr select --requ", "--require\n"),
+        ("cdpr ik --model=pulley+e", "cdpr ik --model = pulley+e", "pulley+elastic\n"),
+        ("cdpr explain ragged-row csv::ra", "cdpr explain ragged-row csv :: ra", ""),
+        ("cdpr explain csv::ragged", "cdpr explain csv :: ragged", "ragged-row\n"),
+    ] {
+        let last = words.split(' ').count() - 1;
+        let ask = format!(
+            "source '{}'; COMP_LINE='{line}' COMP_POINT={} COMP_WORDS=({words}) COMP_CWORD={last}; _cdpr '{}'; \
+             printf '%s\n' \"${{COMPREPLY[@]}}\"",
+            script.display(),
+            line.len(),
+            program.display()
+        );
+        let Ok(output) = Command::new("bash").args(["--norc", "-c", &ask]).output() else {
+            eprintln!("skipped: there is no bash");
+            return;
+        };
+        let found = String::from_utf8_lossy(&output.stdout).into_owned();
+        let error = String::from_utf8_lossy(&output.stderr).into_owned();
+        match proposed {
+            // where no value is left, options
+            "" => assert!(found.lines().all(|word| word.starts_with('-') || word.is_empty()), "{line}: {found}{error}"),
+            _ => assert_eq!(found, proposed, "{line}: {error}"),
+        }
+    }
 }
 
 #[test]

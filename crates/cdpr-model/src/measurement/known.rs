@@ -86,6 +86,10 @@ pub enum KnownError {
 }
 
 impl Known {
+    /// Names of the facts, which cables in brackets follow.
+    pub const NAMES: [&'static str; 7] =
+        ["distance", "length", "plane", "wall-x", "wall-y", "level", "equal-drum-radius"];
+
     /// Cables in the fact.
     pub(crate) fn cables(&self) -> &[usize] {
         match &self.fact {
@@ -170,6 +174,16 @@ impl std::fmt::Display for Known {
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn every_name_is_that_of_a_fact() {
+        for name in Known::NAMES {
+            let written = ["[1]=2", "[1,2]=2", "[1,2]", "[1,2,3,4]"].map(|rest| format!("{name}{rest}"));
+            assert!(written.iter().any(|text| text.parse::<Known>().is_ok()), "{name}");
+        }
+        let refusal = "none[1]".parse::<Known>().unwrap_err().to_string();
+        assert!(Known::NAMES.iter().all(|name| refusal.contains(&format!("{name}["))), "{refusal}");
+    }
 
     #[test]
     fn known_things_survive_the_round_trip() {

@@ -81,11 +81,12 @@ impl FromStr for Split {
             Some((kind, count)) => (kind, count.parse().ok().filter(|&count: &usize| count >= 2)),
             None => (text, Some(0)),
         };
-        match (kind, count) {
-            ("column", Some(0)) => Ok(Self::Column),
-            ("blocks", Some(count)) if count > 0 => Ok(Self::Blocks(count)),
-            ("kfold", Some(count)) if count > 0 => Ok(Self::KFold(count)),
-            ("region", Some(count)) if count > 0 => Ok(Self::Region(count)),
+        let [column, blocks, kfold, region] = Self::KINDS;
+        match count {
+            Some(0) if kind == column => Ok(Self::Column),
+            Some(count) if count > 0 && kind == blocks => Ok(Self::Blocks(count)),
+            Some(count) if count > 0 && kind == kfold => Ok(Self::KFold(count)),
+            Some(count) if count > 0 && kind == region => Ok(Self::Region(count)),
             _ => Err(syntax()),
         }
     }
@@ -103,6 +104,9 @@ impl fmt::Display for Split {
 }
 
 impl Split {
+    /// Names of the methods; a colon and the number of parts follow all but the first.
+    pub const KINDS: [&'static str; 4] = ["column", "blocks", "kfold", "region"];
+
     /// The given split; by default by the column `set` if it has both sides, otherwise up to five contiguous blocks.
     pub fn or_default(split: Option<Self>, samples: &Samples) -> Self {
         let by_column = || Self::Column.folds(samples, 0).is_ok().then_some(Self::Column);

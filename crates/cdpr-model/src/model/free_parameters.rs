@@ -49,7 +49,7 @@ impl RecordingParameter {
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ParameterError {
     /// An unknown name.
-    #[error("`{name}` is not a parameter; known are {}{}", known_names().collect::<Vec<_>>().join(", "), suggestion(.name))]
+    #[error("`{name}` is not a parameter; known are {}{}", FreeParameters::known_names().collect::<Vec<_>>().join(", "), suggestion(.name))]
     UnknownName {
         /// The word found.
         name: String,
@@ -132,21 +132,21 @@ pub fn missing_effect(kind: ParameterKind, composition: Composition) -> Option<&
     }
 }
 
-/// Names of all parameters that may be free.
-fn known_names() -> impl Iterator<Item = &'static str> {
-    let of_recording = RecordingParameter::ALL.into_iter().map(RecordingParameter::name);
-    of_recording.chain(ParameterKind::IDENTIFIED.into_iter().map(ParameterKind::name))
-}
-
 fn suggestion(name: &str) -> String {
     let close = |known: &&str| strsim::jaro_winkler(known, name);
-    match known_names().max_by(|a, b| close(a).total_cmp(&close(b))) {
+    match FreeParameters::known_names().max_by(|a, b| close(a).total_cmp(&close(b))) {
         Some(known) if close(&known) > 0.75 => format!("; did you mean `{known}`?"),
         _ => String::new(),
     }
 }
 
 impl FreeParameters {
+    /// Names of all parameters that may be free.
+    pub fn known_names() -> impl Iterator<Item = &'static str> {
+        let of_recording = RecordingParameter::ALL.into_iter().map(RecordingParameter::name);
+        of_recording.chain(ParameterKind::IDENTIFIED.into_iter().map(ParameterKind::name))
+    }
+
     /// A selection of these kinds for every cable.
     pub fn of(kinds: &[ParameterKind]) -> Self {
         Self { selections: kinds.iter().map(|&kind| (kind, None)).collect(), recording: Vec::new() }
