@@ -22,7 +22,8 @@ const SHELLS: [Shell; 3] = [
     Shell { name: "fish", arguments: &["--no-config"], asks: include_str!("shells/ask.fish") },
 ];
 
-/// A line, words that are proposed for it (whole, or the part after the last `=` or `:`, from which bash goes on), and words that are not.
+/// A line, words that are proposed for it (whole, or the part after the last `=` or `:`, from which bash goes on), and
+/// words that are not.
 type Case = (&'static str, &'static [&'static str], &'static [&'static str]);
 
 const CASES: &[Case] = &[

@@ -8,8 +8,8 @@ pub(crate) const GENERAL: &str = "General";
 /// A command with fewer options of its own has them in one list.
 const MANY: usize = 6;
 
-/// Headings and the options under them, in the order of the help: an option stands under the same heading wherever it is taken. One
-/// that has another meaning in some command is named with that command, `command option`.
+/// Headings and the options under them, in the order of the help: an option stands under the same heading wherever it
+/// is taken. One that has another meaning in some command is named with that command, `command option`.
 const HEADINGS: &[(&str, &[&str])] = &[
     ("Robot and model", &["model", "compensation"]),
     ("Candidates", &["candidates", "criterion", "require"]),

@@ -1,8 +1,9 @@
 //! Words that a shell proposes while a command line of `cdpr` is typed.
 //!
-//! The scripts of `cdpr completions` ask `cdpr complete -- WORDS`, the last word up to the cursor. The first line of the answer says which
-//! files may stand there besides (`none`, `any`, `folders`, or an ending as `.toml`), and whether a blank follows a proposed word (`space`)
-//! or the word may go on (`open`). Then a line comes for every word: the word, a tabulator, a few words on it.
+//! The scripts of `cdpr completions` ask `cdpr complete -- WORDS`, the last word up to the cursor. The first line of
+//! the answer says which files may stand there besides (`none`, `any`, `folders`, or an ending as `.toml`), and whether
+//! a blank follows a proposed word (`space`) or the word may go on (`open`). Then a line comes for every word: the
+//! word, a tabulator, a few words on it.
 
 mod lists;
 mod place;
@@ -24,7 +25,8 @@ pub(crate) const FISH: &str = include_str!("cdpr.fish");
 /// The word that a script asks with. It is no command of the parser: nobody types it.
 const ASKED_BY: &str = "complete";
 
-/// The words of a command line to complete, the last one up to the cursor; `None` if the command line asks for something else.
+/// The words of a command line to complete, the last one up to the cursor; `None` if the command line asks for
+/// something else.
 pub(crate) fn asked(arguments: &[OsString]) -> Option<Vec<String>> {
     match arguments {
         [_, complete, dashes, words @ ..] if complete == ASKED_BY && dashes == "--" => {
