@@ -4,6 +4,7 @@ mod campaign_table;
 #[cfg(feature = "files")]
 mod checks;
 mod poses;
+mod published;
 #[cfg(feature = "files")]
 mod reading;
 mod tolerances;
@@ -12,6 +13,7 @@ use serde::Deserialize;
 
 pub use campaign_table::{CampaignRecord, CampaignTable};
 pub use cdpr_model::control::{CommandedPose, History, Initial, Reach, Shortening};
+pub use published::PublishedStage;
 pub use tolerances::{AccuracyOf, Distribution, ModelTolerances, Tolerances, WinchTolerances};
 
 use super::poorer::remark_on_poorer;
@@ -45,6 +47,9 @@ pub struct Study {
     pub tolerances: Option<Tolerances>,
     /// Rounds of planned measurements. `cdpr campaign` only.
     pub campaign: Option<CampaignTable>,
+    /// Errors that a publication prints of the stages of its machine. `cdpr chain` only.
+    #[serde(default)]
+    pub published: Vec<PublishedStage>,
 }
 
 /// The model that computes the controlled lengths.

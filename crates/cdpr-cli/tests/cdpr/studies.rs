@@ -209,6 +209,21 @@ fn a_study_of_tensions_that_says_something_wrong_is_refused_with_the_place_or_th
             "elastic machine",
         ),
         (offset, "offset = \"none\"\n[poses.tension_tests]\nshorten_m = -1\ncount = 1", "above 0"),
+        (
+            offset,
+            "offset = \"none\"\n[[published]]\nstage = \"drven\"",
+            "`drven` is no stage of the chain; there are reference",
+        ),
+        (
+            offset,
+            "offset = \"none\"\n[[published]]\nstage = \"driven\"\nposition_mean_m = -1",
+            "position_mean_m is a finite number",
+        ),
+        (
+            offset,
+            "offset = \"none\"\n[[published]]\nstage = \"driven\"\n[[published]]\nstage = \"driven\"",
+            "the stage `driven` stands twice",
+        ),
         ("model = \"elastic\"", "model = \"pulley+elastic\"", "pulley_swivel_axis"),
         (
             "robot = \"cablerobot-simulator-helicopter\"\nmodel = \"standard\"",

@@ -1,7 +1,8 @@
-//! The chain of chapter 6, stage by stage, beside what the dissertation prints.
+//! The chain of chapter 6, stage by stage, beside the errors that its study quotes from a publication.
 
 use cdpr_study::Experiment;
 use cdpr_study::chain::{Chain, ChainStep};
+use cdpr_study::study::PublishedStage;
 use minijinja::{Value, context};
 use serde::Serialize;
 
@@ -12,26 +13,6 @@ use crate::number_format::{NONE, short, significant};
 use crate::table::Table;
 
 const TEMPLATE: &str = include_str!("chain.html");
-
-/// The machine that the dissertation's numbers can be held against: rebuilt from its printed optimum.
-const TWIN: &str = "cablerobot-simulator-helicopter-elastostatic-calibrated";
-
-/// Printed errors of a stage: position (mm), rotation (°), length (mm), tensions (N).
-type Printed = [Option<f64>; 4];
-
-/// Stages with what sec. 6.1 to 6.5 print of the real machine.
-const PRINTED: [(&str, Printed); 7] = [
-    ("reference", [Some(39.80), Some(1.19), Some(23.52), None]),
-    ("identified", [Some(9.66), Some(0.29), Some(4.08), None]),
-    ("driven", [Some(6.70), Some(0.31), Some(4.15), None]),
-    ("identified-again", [Some(10.80), Some(0.29), Some(3.10), None]),
-    ("reduced-nominal", [Some(37.6), None, None, None]),
-    ("elastostatic-nominal", [Some(34.5), Some(1.03), None, Some(2426.84)]),
-    ("elastostatic-identified", [Some(2.73), Some(0.11), None, Some(582.0)]),
-];
-
-/// The stage of sec. 6.3 after identification, printed with 3.15 mm.
-const REDUCED: (&str, Printed) = ("reduced-identified", [Some(3.15), None, None, None]);
 
 /// All stages of the chain.
 #[derive(Serialize)]
@@ -51,12 +32,12 @@ pub struct ChainAnswer {
     report: Option<String>,
 }
 
-/// A stage beside what is printed of it.
+/// A stage beside its published errors.
 #[derive(Serialize)]
 struct StepAnswer {
     #[serde(flatten)]
     step: ChainStep,
-    /// Position (m), rotation (rad), length (m) and tension (N) errors that the dissertation prints of its machine.
+    /// Errors that the study quotes.
     #[serde(skip_serializing_if = "Option::is_none")]
     printed: Option<PrintedErrors>,
 }
@@ -68,6 +49,17 @@ struct PrintedErrors {
     rotation_mean_rad: Option<f64>,
     length_mean_abs_m: Option<f64>,
     tension_mean_norm_N: Option<f64>,
+}
+
+impl PrintedErrors {
+    fn of(stage: &PublishedStage) -> Self {
+        Self {
+            position_mean_m: stage.position_mean_m,
+            rotation_mean_rad: stage.rotation_mean_rad,
+            length_mean_abs_m: stage.length_mean_abs_m,
+            tension_mean_norm_N: stage.tension_mean_norm_N,
+        }
+    }
 }
 
 /// Errors before a stage divided by those after it.
@@ -83,16 +75,10 @@ struct Ratio {
 impl ChainAnswer {
     /// The answer for an experiment with its chain.
     pub fn new(experiment: &Experiment, chain: Chain, region: &[[f64; 2]], seed: u64) -> Self {
-        let is_twin = experiment.machine.robot().name == TWIN;
         let ratios = ratios(&chain.steps);
+        let published = &experiment.study.published;
         let step = |step: ChainStep| {
-            let printed =
-                printed(step.name).filter(|_| is_twin).map(|[position, rotation, length, tension]| PrintedErrors {
-                    position_mean_m: position.map(|value| 1e-3 * value),
-                    rotation_mean_rad: rotation.map(f64::to_radians),
-                    length_mean_abs_m: length.map(|value| 1e-3 * value),
-                    tension_mean_norm_N: tension,
-                });
+            let printed = published.iter().find(|own| own.stage == step.name).map(PrintedErrors::of);
             StepAnswer { step, printed }
         };
         Self {
@@ -206,7 +192,7 @@ impl ChainAnswer {
         let figure = ErrorRows {
             label: "Mean errors of every stage",
             names: self.steps.iter().map(|one| format!("{} {}", one.step.section, one.step.words)).collect(),
-            series: ("here", has_printed.then_some("printed of the real machine")),
+            series: ("here", has_printed.then_some("published")),
             panels,
         };
         figure.svg()
@@ -253,10 +239,6 @@ const COLUMNS: [&str; 9] = [
     "tension range N",
 ];
 
-fn printed(name: &str) -> Option<Printed> {
-    PRINTED.iter().chain([&REDUCED]).find(|(own, _)| *own == name).map(|(_, printed)| *printed)
-}
-
 fn ratios(steps: &[ChainStep]) -> Vec<Ratio> {
     let find = |name: &str| steps.iter().find(|step| step.name == name);
     let pairs = [
@@ -285,11 +267,8 @@ impl Answer for ChainAnswer {
         self.rows().into_iter().for_each(|row| {
             table.row(row);
         });
-        let printed = if self.steps.iter().any(|one| one.printed.is_some()) {
-            "; printed of the real machine in brackets"
-        } else {
-            ""
-        };
+        let printed =
+            if self.steps.iter().any(|one| one.printed.is_some()) { "; published errors in brackets" } else { "" };
         let mut text = format!(
             "{} on {}\n\nmean errors; tension: mean of the 2-norm over cables{printed}\n\n{}\n",
             self.control,

@@ -1,6 +1,7 @@
 //! Checks of a study file; each error names its key.
 
-use super::{CampaignTable, PoseGrid, RandomPoses, Study, TensionTests, Tolerances};
+use super::{CampaignTable, PoseGrid, PublishedStage, RandomPoses, Study, TensionTests, Tolerances};
+use crate::stages::STAGES;
 use cdpr_model::model::Composition;
 use cdpr_model::reading::{ReadError, Step, TomlDocument};
 
@@ -25,7 +26,31 @@ pub(super) fn check(study: &Study, document: &TomlDocument<'_>) -> Result<(), Re
     if let Some(campaign) = &study.campaign {
         check_campaign(campaign, &place)?;
     }
+    check_published(&study.published, &place)?;
     check_poses(study, &place)
+}
+
+fn check_published(published: &[PublishedStage], place: &Place<'_>) -> Result<(), ReadError> {
+    for (index, own) in published.iter().enumerate() {
+        let wrong = |key: &str, message: String| {
+            let steps = [Step::Key("published"), Step::Index(index), Step::Key(key)];
+            Err(place.document.error_at(&steps, "study::value", message))
+        };
+        if !STAGES.contains(&own.stage.as_str()) {
+            let message = format!("`{}` is no stage of the chain; there are {}", own.stage, STAGES.join(", "));
+            return wrong("stage", message);
+        }
+        if published[..index].iter().any(|other| other.stage == own.stage) {
+            return wrong("stage", format!("the stage `{}` stands twice", own.stage));
+        }
+        for (key, error) in own.errors() {
+            // written so that NaN is refused too
+            if error.is_some_and(|error| !(error >= 0.0 && error.is_finite())) {
+                return wrong(key, format!("{key} is a finite number of 0 or more"));
+            }
+        }
+    }
+    Ok(())
 }
 
 fn check_campaign(campaign: &CampaignTable, place: &Place<'_>) -> Result<(), ReadError> {
