@@ -332,7 +332,7 @@ fn chapter_six_runs_as_one_study() {
     assert_eq!(answer["region_m"][2], serde_json::json!([0.75, 2.75]));
     let page = std::fs::read_to_string(folder.path().join("chain.html")).unwrap();
     assert!(page.contains("37.2 (39.8)") && !page.contains("src=\"http"), "printed numbers stand beside ours");
-    assert!(page.contains("printed of the real machine: 39.8</title>") && page.contains("orientation, °"));
+    assert!(page.contains("published: 39.8</title>") && page.contains("orientation, °"));
     assert_eq!(page.matches("here: ").count(), 12 + 10 + 4, "errors of position, orientation and tensions");
     let planar = cdpr_in(folder.path(), &format!("chain {} --format json", study("planar-wide-grid.toml"))).json();
     assert_eq!(planar["left_out"].as_array().unwrap().len(), 2);
