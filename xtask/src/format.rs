@@ -15,11 +15,19 @@ pub(crate) fn check(root: &Path) -> Outcome {
         collect(&root.join(folder), &mut files);
     }
     files.sort_unstable();
+    if files.is_empty() {
+        return Outcome::of(vec!["there are no Rust files".to_owned()]);
+    }
+    check_files(root, &files)
+}
+
+/// Complains where `rustfmt` would change one of these files.
+pub(crate) fn check_files(root: &Path, files: &[PathBuf]) -> Outcome {
     println!("$ rustfmt --check --edition 2024 ({} files)", files.len());
     let mut rustfmt = Command::new("rustfmt");
-    rustfmt.args(["--check", "--edition", "2024"]).args(&files).current_dir(root).stdin(Stdio::null());
+    rustfmt.args(["--check", "--edition", "2024"]).args(files).current_dir(root).stdin(Stdio::null());
     match rustfmt.status() {
-        Ok(status) if status.success() && !files.is_empty() => Outcome::of(Vec::new()),
+        Ok(status) if status.success() => Outcome::of(Vec::new()),
         Ok(status) => Outcome::of(vec![format!("rustfmt ended with {status} on {} files", files.len())]),
         Err(error) => Outcome::of(vec![format!("cannot start rustfmt: {error}")]),
     }

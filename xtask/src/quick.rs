@@ -1,16 +1,16 @@
 //! `cargo xtask quick`: what an edit may have broken, in the time that a developer waits.
 
 use std::collections::BTreeSet;
-use std::path::Path;
+use std::path::{Path, PathBuf};
 use std::process::Command;
 use std::time::Instant;
 
-use crate::cargo;
 use crate::outcome::Outcome;
 use crate::steps;
+use crate::{cargo, format};
 
-/// Gates that take seconds.
-const GATES: &[&str] = &["format", "layers", "interface", "documents"];
+/// Gates that take seconds, beside the format of the files that differ.
+const GATES: &[&str] = &["layers", "interface", "documents"];
 
 /// Crates whose tests run in the build for release alone.
 const RELEASED: &[&str] = &["cdpr-cli", "cdpr-reports"];
@@ -22,6 +22,11 @@ pub(crate) fn run(root: &Path, since: &str) -> Result<(), String> {
     let manifests = manifests(root);
     let crates = standing_on(&manifests, crates_of(&files));
     println!("{} files differ from {since}; crates to test: {}", files.len(), listed(&crates));
+    let is_there = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "rs") && path.exists();
+    let sources: Vec<PathBuf> = files.iter().map(|file| root.join(file)).filter(is_there).collect();
+    if !sources.is_empty() {
+        format::check_files(root, &sources).into_result()?;
+    }
     for gate in GATES {
         steps::pass(root, gate)?;
     }
