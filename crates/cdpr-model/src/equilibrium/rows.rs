@@ -3,6 +3,8 @@
 //! A part of the rows that stays in the cache is transposed, computed and transposed back, then the next one. Every number has the
 //! bits that the single pose gives; quaternions are normalised first.
 
+use std::sync::atomic::{AtomicBool, Ordering};
+
 use thiserror::Error;
 
 use super::distribution::{self, Distributions};
@@ -90,22 +92,22 @@ impl Model {
     pub fn lengths_of_rows(&self, poses: PoseRows<'_>, lengths: &mut [f64]) -> Result<(), RowsError> {
         let cables = self.cable_count();
         check("lengths, one per pose and cable", poses.len() * cables, lengths.len())?;
-        let refused = std::sync::Mutex::new(None);
+        let is_refused = AtomicBool::new(false);
         let memory = &mut (PoseBatch::default(), LaneTable::default());
         over_parts(lengths, LANES * cables, memory, |(batch, table), first, lengths| {
             for (start, lengths) in (first..).step_by(CHUNK).zip(lengths.chunks_mut(CHUNK * cables)) {
                 if batch.fill_rows(poses.part(start, CHUNK)).is_err() {
-                    refused.lock().expect("nothing panics with it").replace(());
+                    is_refused.store(true, Ordering::Relaxed);
                     return;
                 }
                 self.batch_cable_lengths(batch, table);
                 table.read_rows(lengths);
             }
         });
-        match refused.into_inner().expect("nothing panics with it") {
-            None => Ok(()),
-            Some(()) => Err(poses.check().expect_err("some row was refused").into()),
+        if is_refused.into_inner() {
+            poses.check()?;
         }
+        Ok(())
     }
 
     /// Poses, and tensions where cables and load are in equilibrium, that belong to the controlled lengths of an array:
@@ -157,8 +159,13 @@ impl Model {
 
         let (mut lengths, mut solutions) = (LaneTable::new(cables), Solutions::default());
         let mut guesses = PoseBatch::default();
-        guesses.fill_rows(problems.guesses)?;
-        let one = has_one_guess.then(|| guesses.get(0));
+        let one = match has_one_guess {
+            true => {
+                guesses.fill_rows(problems.guesses)?;
+                Some(guesses.get(0))
+            }
+            false => None,
+        };
         let chunk = chunk_for_threads(CHUNK);
         for start in (0..count).step_by(chunk) {
             let end = count.min(start + chunk);
