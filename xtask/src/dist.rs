@@ -85,7 +85,7 @@ fn by_pip(folder: &Path, packages: &Path, python: Option<&Path>) -> Result<Outco
     works(&python.with_file_name("cdpr"), folder)
 }
 
-/// The command tells its version and writes its demo.
+/// Runs the command: it must print its version and write its demo.
 fn works(command: &Path, folder: &Path) -> Result<Outcome, String> {
     let version = output(within(command, folder, &["--version"]))?;
     if version.trim() != concat!("cdpr ", env!("CARGO_PKG_VERSION")) {

@@ -13,7 +13,7 @@ const BOOK: &str = "docs/book/src";
 /// Pages that name files of the workspace in code, so that readers find them.
 const GUIDES: &[&str] = &["ARCHITECTURE.md", "CONTRIBUTING.md"];
 
-/// What changed for users: a page, and lists that are folded.
+/// Record of changes for users: a page, and folded lists.
 const CHANGES: &str = "CHANGELOG.md";
 
 /// Heading of the page, and lines that it has at most.

@@ -18,7 +18,6 @@ mod poorer;
 mod prediction;
 pub mod reachable;
 pub mod sensitivity;
-mod stages;
 pub mod study;
 #[cfg(feature = "files")]
 pub mod sweep;

@@ -14,6 +14,8 @@ use serde::Deserialize;
 pub use campaign_table::{CampaignRecord, CampaignTable};
 pub use cdpr_model::control::{CommandedPose, History, Initial, Reach, Shortening};
 pub use published::PublishedStage;
+#[cfg(test)]
+pub(crate) use published::STAGES;
 pub use tolerances::{AccuracyOf, Distribution, ModelTolerances, Tolerances, WinchTolerances};
 
 use super::poorer::remark_on_poorer;

@@ -56,7 +56,7 @@ const SHELLS: [(&str, &str); 5] = [
     ("zsh", "_cdpr"),
 ];
 
-/// What packages are made of.
+/// Contents of the packages.
 #[derive(Debug)]
 pub(crate) struct Contents {
     /// Version of the command.

@@ -3,7 +3,7 @@
 /// Type of the section with the versions of symbols that a program needs (SHT_GNU_verneed).
 const VERSIONS_NEEDED: u64 = 0x6fff_fffe;
 
-/// What a program is compiled for and needs.
+/// Machine and C library of a compiled program.
 #[derive(Clone, Debug, PartialEq, Eq)]
 pub(crate) struct Program {
     /// Number of the processor's kind (e_machine).

@@ -56,7 +56,7 @@ fn pack(root: &Path, command: &Path, folder: &Path) -> Result<Vec<String>, Strin
     Ok(Vec::new())
 }
 
-/// The workspace root. Cargo tells it when the program runs, so a moved clone needs no rebuild.
+/// The workspace root. Cargo sets it for every run, so a moved clone needs no rebuild.
 fn root() -> PathBuf {
     let manifest =
         std::env::var_os("CARGO_MANIFEST_DIR").map_or_else(|| env!("CARGO_MANIFEST_DIR").into(), PathBuf::from);

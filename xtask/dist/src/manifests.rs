@@ -1,4 +1,4 @@
-//! What every published crate states, and what it may depend on.
+//! Manifests of published crates: required entries and allowed dependencies.
 
 use std::path::Path;
 

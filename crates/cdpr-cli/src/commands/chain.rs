@@ -30,7 +30,7 @@ const NEXT_SEED: u64 = 2;
 ///
 /// Nominal controller, frame anchors identified, driven with them, identified again, constant orientation, nominal elastostatic model
 /// (`[prediction]` of the study), elastostatic model identified, and exact force control on the poses of the study and on the edges of a larger
-/// region. Every stage tells its errors, beside those that the study quotes from a publication (`[[published]]`).
+/// region. The answer lists the errors of every stage beside those that the study quotes from a publication (`[[published]]`).
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {

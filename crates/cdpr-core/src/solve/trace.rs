@@ -1,4 +1,4 @@
-//! The trails of all searches, for whoever follows one step by step: `CDPR_TRACE=trail.csv` in a build with debug assertions.
+//! Trials of all searches as rows of a file, for debugging: `CDPR_TRACE=trail.csv` in a build with debug assertions.
 //!
 //! Releases contain none of this. A search writes its rows when it ends, so that rows of searches on several threads
 //! are not mixed; of eight problems side by side the first is written.

@@ -30,8 +30,8 @@ fn chain(experiment: &Experiment, region: &[[f64; 2]]) -> Chain {
 #[test]
 fn the_twin_goes_through_chapter_six() {
     let found = chain(&experiment("twin-chain"), &REGION);
-    let is_named = |step: &ChainStep| crate::stages::STAGES.contains(&step.name);
-    assert!(found.steps.iter().all(is_named) && found.steps.len() == crate::stages::STAGES.len());
+    let is_named = |step: &ChainStep| crate::study::STAGES.contains(&step.name);
+    assert!(found.steps.iter().all(is_named) && found.steps.len() == crate::study::STAGES.len());
     let step = |name: &str| found.steps.iter().find(|step| step.name == name).unwrap();
     let near = |name: &str, read: fn(&ChainStep) -> f64, expected: f64, fraction: f64| {
         let value = read(step(name));

@@ -1,7 +1,7 @@
 //! Checks of a study file; each error names its key.
 
+use super::published::STAGES;
 use super::{CampaignTable, PoseGrid, PublishedStage, RandomPoses, Study, TensionTests, Tolerances};
-use crate::stages::STAGES;
 use cdpr_model::model::Composition;
 use cdpr_model::reading::{ReadError, Step, TomlDocument};
 

@@ -2,6 +2,22 @@
 
 use serde::Deserialize;
 
+/// The stages of the chain in their order.
+pub(crate) const STAGES: [&str; 12] = [
+    "reference",
+    "identified",
+    "driven",
+    "identified-again",
+    "constant-orientation",
+    "reduced-nominal",
+    "reduced-identified",
+    "elastostatic-nominal",
+    "elastostatic-identified",
+    "force-control",
+    "force-control-edges",
+    "kinematic-edges",
+];
+
 /// Mean errors that a publication prints of a stage of `cdpr chain`; the answer shows them beside its own.
 #[derive(Clone, Debug, PartialEq, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields)]
