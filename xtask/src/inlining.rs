@@ -34,13 +34,13 @@ const PLACES: &[Place] = &[
     Place { path: "crates/cdpr-model/src/scalar/", reason: LANES },
     Place { path: "crates/cdpr-model/src/tension/quadratic/fixed.rs", reason: LANES },
     Place { path: "crates/cdpr-model/src/tension/quadratic/plane.rs", reason: COUNTED },
-    Place { path: "crates/cdpr-calibration/src/blocks.rs", reason: LANES },
-    Place { path: "crates/cdpr-calibration/src/elastostatic/", reason: LANES },
-    Place { path: "crates/cdpr-calibration/src/further_columns.rs", reason: LANES },
-    Place { path: "crates/cdpr-calibration/src/normal_equations.rs", reason: LANES },
-    Place { path: "crates/cdpr-calibration/src/objective/pose_squares/", reason: LANES },
-    Place { path: "crates/cdpr-calibration/src/pose_lanes.rs", reason: LANES },
-    Place { path: "crates/cdpr-calibration/src/weights.rs", reason: LANES },
+    Place { path: "crates/cdpr-calibration/src/residual/lengths/blocks.rs", reason: LANES },
+    Place { path: "crates/cdpr-calibration/src/residual/balance/", reason: LANES },
+    Place { path: "crates/cdpr-calibration/src/residual/lengths/further_columns.rs", reason: LANES },
+    Place { path: "crates/cdpr-calibration/src/residual/lengths/normal_equations.rs", reason: LANES },
+    Place { path: "crates/cdpr-calibration/src/residual/poses/squares/", reason: LANES },
+    Place { path: "crates/cdpr-calibration/src/residual/lengths/pose_lanes.rs", reason: LANES },
+    Place { path: "crates/cdpr-calibration/src/residual/lengths/weights.rs", reason: LANES },
 ];
 
 impl Place {
@@ -109,7 +109,7 @@ mod tests {
     fn a_place_without_the_attribute_is_told() {
         let mut seen = Seen::default();
         assert_eq!(seen.unused().len(), PLACES.len());
-        seen.complaints("crates/cdpr-calibration/src/weights.rs", "#[inline(always)]\n");
+        seen.complaints("crates/cdpr-calibration/src/residual/lengths/weights.rs", "#[inline(always)]\n");
         assert_eq!(seen.unused().len(), PLACES.len() - 1);
     }
 }

@@ -6,11 +6,11 @@ use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 use serde::Serialize;
 
 use super::autocorrelation::correlation_time;
-use super::blocks::Block;
 use super::fit::{Settings, prior_sigma};
+use super::minimize::unknowns::Unknowns;
 use super::noise::Noise;
 use super::norms::Norms;
-use super::pose_lanes::{CableValues, PoseLanes};
+use super::residual::group_rows::GroupRows;
 use super::words::{Direction, describe};
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;
@@ -100,82 +100,80 @@ pub(super) struct Spectrum {
     vectors: DMatrix<f64>,
 }
 
-/// Cables of a kinematic model at their optimum.
-pub(super) struct KinematicState<'a> {
-    pub(super) model: &'a Model,
-    pub(super) samples: &'a Samples,
-    pub(super) poses: &'a PoseLanes,
-    pub(super) blocks: &'a [Block],
-    pub(super) values: &'a [CableValues],
-}
-
-/// Analyses all blocks at their optimum and tells their residuals, whitened by the weights. `noise` is that of every row in units of the weights.
+/// Analyses blocks of parameters at their optimum. The typical correlation time of a block's rows enlarges its deviations.
 pub(super) fn analyse(
-    state: &KinematicState<'_>,
+    model: &Model,
+    samples: &Samples,
+    unknowns: &Unknowns<'_>,
+    groups: &[GroupRows],
     norms: &Norms,
     noise: &Noise,
-    settings: &Settings,
-) -> (Analysis, Vec<Vec<f64>>) {
-    let KinematicState { model, samples, poses, blocks, values } = *state;
+) -> Analysis {
     let mut analysis = Analysis::default();
     let (mut plain_values, mut scaled_values) = (Vec::new(), Vec::new());
-    let (mut directions, mut rows, mut parameters) = (Vec::new(), Vec::new(), Vec::<Parameter>::new());
-    let mut longest_time = 1.0_f64;
-    let mut series = Vec::with_capacity(blocks.len());
-    for (block, values) in blocks.iter().zip(values) {
-        let (mut residuals, columns) = block.rows(poses, values, samples.len());
-        series.push(residuals.clone());
-        if block.parameters.is_empty() {
-            continue;
-        }
-        norms.weigh(&mut residuals);
-        let weighted = DMatrix::from_fn(samples.len(), columns.len(), |row, column| columns[column][row]);
-        let mut plain = TriangularFactor::new(columns.len());
-        for (row, weight) in weighted.row_iter().zip(block.weights()) {
-            plain.push(row.iter().map(|entry| entry / *weight));
-        }
-        let plain = plain.into_matrix();
-        plain_values.extend(singular_values(plain.clone()));
-        scaled_values.extend(singular_values(with_unit_columns(plain)));
+    let (mut directions, mut rows, mut longest_time) = (Vec::new(), Vec::new(), 1.0_f64);
+    let settings = unknowns.settings;
+    let rotation = mean_rotation(samples);
+    for group in groups.iter().filter(|group| !group.parameters.is_empty()) {
+        let parameters = &unknowns.parameters[group.parameters.clone()];
+        let plain = group.plain.clone().into_matrix();
+        let told = parameters.len().saturating_sub(group.conventions);
+        plain_values.extend(singular_values(plain.clone()).into_iter().take(told));
+        scaled_values.extend(singular_values(with_unit_columns(plain)).into_iter().take(told));
 
-        let time = correlation_time(&residuals);
+        let time = typical_time(group, norms);
         longest_time = longest_time.max(time);
-        let factor = noise.inflation * time.sqrt();
-        let priors = prior_weights(&block.parameters, settings);
-        let mut weighted = TriangularFactor::of(&weighted);
+        let priors = prior_weights(parameters, settings);
+        let mut weighted = group.weighted.clone();
         weighted.push_diagonal(priors.iter().map(|weight| weight.sqrt()));
-        let posterior = spectrum(weighted);
-        let uncertainty = Uncertainty::new(&posterior, factor, &priors);
+        let uncertainty = Uncertainty::new(&spectrum(weighted), noise.inflation * time.sqrt(), &priors);
         analysis.undetermined += uncertainty.undetermined;
         rows.extend(uncertainty.correlation_rows(rows.len()));
-        parameters.extend(&block.parameters);
-        let rotation = mean_rotation(samples);
-        let scale = |p: &Parameter| block.scale(p.kind);
         let named = Named {
-            parameters: &block.parameters,
+            parameters,
             axes: model.axes(),
-            cables: block.cable..block.cable + 1,
-            scale: DVector::from_iterator(block.parameters.len(), block.parameters.iter().map(scale)),
+            cables: group.cables.clone(),
+            scale: DVector::from_column_slice(&unknowns.scale[group.parameters.clone()]),
         };
         directions.extend(uncertainty.weak_directions(&named, &rotation, settings.weak_direction_limit));
         analysis.sigmas.extend(uncertainty.sigmas);
     }
-    analysis.set_correlations(rows, &|k| parameters[k].name(model.robot()));
+    analysis.set_correlations(rows, &|k| unknowns.parameters[k].name(model.robot()));
     analysis.inflation = noise.inflation * longest_time.sqrt();
     analysis.quantile_95 = noise.quantile(longest_time);
-    (analysis.rank, analysis.condition) = rank_and_condition(&plain_values, samples.len());
-    (_, analysis.condition_scaled) = rank_and_condition(&scaled_values, samples.len());
+    let count = groups.iter().map(|group| group.count).max().unwrap_or(0);
+    (_, analysis.condition) = rank_and_condition(&plain_values, count);
+    // compliances in 1/N beside anchors in m are twelve decades apart whatever the data tell: columns of length one tell the rank
+    (analysis.rank, analysis.condition_scaled) = rank_and_condition(&scaled_values, count);
     plain_values.sort_by(|a, b| b.total_cmp(a));
     analysis.singular_values = plain_values;
     analysis.set_weak_directions(model, directions);
     if longest_time > 1.0 {
-        analysis.warnings.push(format!(
-            "residuals of consecutive samples repeat each other (correlation time up to {longest_time:.0} samples): standard \
-             deviations are enlarged by up to {:.1} to account for it",
-            longest_time.sqrt()
-        ));
+        analysis.warnings.push(repeated(longest_time, groups.len() > 1));
     }
-    (analysis, series)
+    analysis
+}
+
+/// Median of the correlation times of a group's rows; outliers say as little of correlation as of parameters.
+fn typical_time(group: &GroupRows, norms: &Norms) -> f64 {
+    let time = |series: &Vec<f64>| {
+        let mut series = series.clone();
+        norms.weigh(&mut series);
+        correlation_time(&series)
+    };
+    let mut times: Vec<f64> = group.series.iter().map(time).collect();
+    times.sort_by(f64::total_cmp);
+    times[times.len() / 2]
+}
+
+/// Warning about residuals that repeat each other, of several cables by up to so much.
+fn repeated(time: f64, are_several: bool) -> String {
+    let up_to = if are_several { "up to " } else { "" };
+    format!(
+        "residuals of consecutive samples repeat each other (correlation time {up_to}{time:.0} samples): standard deviations are \
+         enlarged by {up_to}{:.1} to account for it",
+        time.sqrt()
+    )
 }
 
 /// Singular values with right singular vectors of rows with this triangular factor.

@@ -5,7 +5,6 @@
 //! besides (eq. 4.38), which tie the cables together.
 
 mod autocorrelation;
-mod blocks;
 mod bootstrap;
 pub mod candidate;
 mod clock;
@@ -15,49 +14,41 @@ mod course;
 pub mod coverage;
 mod cross_validation;
 mod design;
-mod elastostatic;
 mod error_code;
 pub mod evaluation;
 pub mod fit;
-mod further;
-mod further_columns;
 mod gauge_convention;
 mod identifiability;
-mod joint_analysis;
-mod joint_descent;
 mod likelihood;
 mod loss;
+mod minimize;
 mod misfit;
 mod noise;
-mod normal_equations;
 mod norms;
 mod objective;
+mod objective_values;
 mod outliers;
 mod path;
 mod plain_rows;
 mod plausibility;
 mod point_robot;
 mod pose_band;
-mod pose_lanes;
+mod problem;
 mod progress;
-mod quadratic;
 mod recorded;
 #[cfg(test)]
 mod recorded_curves;
-mod recordings;
 mod reduction;
 mod resampling;
+mod residual;
 mod scaling;
 pub mod selection;
 mod self_calibration;
-mod starts;
 mod stopping;
 mod student;
 pub mod test_bench;
-mod trail;
 mod unit_scale;
 mod verdict;
-mod weights;
 mod words;
 
 pub use bootstrap::standard_error;
@@ -79,7 +70,10 @@ pub use gauge_convention::GaugeConvention;
 pub use identifiability::{Analysis, Correlation};
 pub use likelihood::{Information, NoiseSource};
 pub use loss::Loss;
-pub use objective::{ActiveSample, Certificate, Minimize, Objective, ObjectiveValues};
+pub use minimize::certificate::{ActiveSample, Certificate};
+pub use minimize::starts::{StartOptimum, Starts};
+pub use objective::{Minimize, Objective};
+pub use objective_values::ObjectiveValues;
 pub use outliers::Outlier;
 pub use path::{PathParameter, PathPoint, PathSettings, Penalty, PenaltyPath, Towards, penalty_path};
 pub use plausibility::{Distrust, distrust};
@@ -94,6 +88,5 @@ pub use scaling::{
 pub use self_calibration::{
     Comparison, GaugeFixing, SelfCalibration, SensorFit, cross_validate_without_poses, evaluate_lengths, self_calibrate,
 };
-pub use starts::{StartOptimum, Starts};
 pub use stopping::{StoppedBy, StoppingRule};
 pub use verdict::{Doubt, DoubtKind, Verdict};

@@ -9,7 +9,7 @@ use serde::Serialize;
 use super::bootstrap::standard_error;
 use super::cross_validation::reported_part;
 use super::evaluation::evaluate_fitted;
-use super::fit::{self, Fit, InputError, checked_parameters, explains_tensions, optimum_of};
+use super::fit::{self, Fit, InputError, checked_parameters, optimum_of};
 use super::path::{PenaltyPath, is_path_of};
 use super::point_robot::{as_point, point_robot, without_rotation};
 use cdpr_model::geometry::MotionPattern;
@@ -132,7 +132,7 @@ fn of_orientation(model: &Model, samples: &Samples, fit: &Fit, parameters: &[Par
     let (left, kept): (Vec<Parameter>, Vec<Parameter>) =
         parameters.iter().partition(|parameter| parameter.kind == ParameterKind::PlatformAnchor);
     let frame = kept.iter().filter(|parameter| parameter.kind == ParameterKind::FrameAnchor).count();
-    if explains_tensions(model) || left.is_empty() || left.len() != frame {
+    if model.needs_tensions() || left.is_empty() || left.len() != frame {
         return None;
     }
     let rotation = mean_rotation(samples);

@@ -10,23 +10,5 @@ pub(crate) struct Known {
     pub(crate) reason: &'static str,
 }
 
-const ESTIMATION: &str =
-    "three ways of a fit choose among each other by `if`; one problem with residuals replaces them";
-
-/// The uses without which no file leads back to itself.
-pub(crate) const KNOWN: &[Known] = &[
-    Known { folder: "crates/cdpr-calibration", from: "fit.rs", to: "elastostatic/analysis.rs", reason: ESTIMATION },
-    Known { folder: "crates/cdpr-calibration", from: "fit.rs", to: "objective/report.rs", reason: ESTIMATION },
-    Known {
-        folder: "crates/cdpr-calibration",
-        from: "fit/checks.rs",
-        to: "elastostatic/analysis.rs",
-        reason: ESTIMATION,
-    },
-    Known {
-        folder: "crates/cdpr-calibration",
-        from: "fit/frames/rows.rs",
-        to: "elastostatic/pose_rows.rs",
-        reason: ESTIMATION,
-    },
-];
+/// The uses without which no file leads back to itself: none today.
+pub(crate) const KNOWN: &[Known] = &[];

@@ -1,16 +1,17 @@
 //! Information JᵀΣ⁻¹J of every candidate, in blocks of parameters that no row ties together.
 
+use std::ops::Range;
+
 use nalgebra::{DMatrix, DVector};
 
 use super::criterion::{DesignCriterion, inverse, log_det};
 use super::plan_error::PlanError;
-use crate::elastostatic::{weighted_rows, whitened_rows};
-use crate::fit::{InputError, RowWeights, Settings, explains_tensions};
+use crate::fit::{InputError, RowWeights, Settings};
 use crate::identifiability::{prior_weights, rank_and_condition, singular_values};
-use crate::plain_rows::length_rows;
-use crate::pose_lanes::PoseLanes;
+use crate::problem::Problem;
+use crate::residual::entries::{RowNoise, length_rows};
+use crate::residual::given::Given;
 use crate::unit_scale::joint_scales;
-use crate::weights::{Weights, length_weights};
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;
 use cdpr_model::robot::Parameter;
@@ -67,21 +68,16 @@ impl Information {
         parameters: &[Parameter],
         settings: &Settings,
     ) -> Result<Self, PlanError> {
-        let is_joint = explains_tensions(model);
-        let places: Vec<Vec<usize>> = match is_joint {
-            true => vec![(0..parameters.len()).collect()],
-            false => (0..model.cable_count())
-                .map(|cable| (0..parameters.len()).filter(|&k| parameters[k].cable == cable).collect())
-                .filter(|places: &Vec<usize>| !places.is_empty())
-                .collect(),
-        };
-        let rows = stacked(model, samples, parameters, samples.sigmas != Default::default())?;
-        let lengths = stacked(model, samples, parameters, false)?;
+        let is_stated = samples.sigmas != Default::default();
+        let (rows, blocks) = stacked(model, samples, parameters, is_stated)?;
+        let (lengths, _) = stacked(model, samples, parameters, false)?;
+        let places: Vec<Vec<usize>> =
+            blocks.into_iter().map(Iterator::collect).filter(|places: &Vec<usize>| !places.is_empty()).collect();
         let given_rows = given.map(|given| {
             let has_own = samples.sigmas != Default::default() && given.sigmas != Default::default();
             let sigmas = if has_own { given.sigmas } else { samples.sigmas };
             let is_stated = sigmas != Default::default();
-            stacked(model, &Samples { sigmas, ..given.clone() }, parameters, is_stated)
+            Ok::<_, PlanError>(stacked(model, &Samples { sigmas, ..given.clone() }, parameters, is_stated)?.0)
         });
         let given_rows = given_rows.transpose()?;
         let priors = prior_weights(parameters, settings);
@@ -90,7 +86,8 @@ impl Information {
         let columns = |matrices: &[DMatrix<f64>], places: &[usize]| -> PoseRows {
             matrices.iter().map(|matrix| without_zero_rows(matrix.select_columns(places))).collect()
         };
-        let dof = if is_joint { model.dof() } else { 0 };
+        // lengths stand last among the rows of a pose
+        let before = lengths.first().map_or(0, |rows| rows.nrows() - model.cable_count());
         let block = |places: &Vec<usize>| {
             let rows = columns(&rows, places);
             let own: Vec<DMatrix<f64>> = rows.iter().map(|rows| rows.tr_mul(rows)).collect();
@@ -100,7 +97,7 @@ impl Information {
             given.iter().for_each(|rows| base += rows.tr_mul(rows));
             let mut region = DMatrix::zeros(places.len(), places.len());
             for matrix in &lengths {
-                let of_lengths = matrix.rows(dof, model.cable_count()).select_columns(places);
+                let of_lengths = matrix.rows(before, model.cable_count()).select_columns(places);
                 region += of_lengths.tr_mul(&of_lengths);
             }
             region /= (lengths.len() * model.cable_count()) as f64;
@@ -215,32 +212,22 @@ impl Information {
     }
 }
 
-/// Rows of every sample by all parameters, whitened by stated accuracies or as they are; of elastic models wrenches first.
+/// Rows of every sample by all parameters, whitened by stated accuracies or as they are, of elastic models wrenches first; and the parameters'
+/// places in blocks that no row ties together.
 fn stacked(
     model: &Model,
     samples: &Samples,
     parameters: &[Parameter],
     is_whitened: bool,
-) -> Result<Vec<DMatrix<f64>>, PlanError> {
-    let count = samples.len();
-    if explains_tensions(model) {
-        let jacobian = match is_whitened {
-            true => whitened_rows(model, samples, parameters)?,
-            false => weighted_rows(model, samples, parameters, RowWeights { wrench: 1.0, length: 1.0 })?.1,
-        };
-        let rows = jacobian.nrows() / count;
-        return finite((0..count).map(|sample| jacobian.rows(sample * rows, rows).into_owned()).collect());
-    }
-    let poses = PoseLanes::new(samples);
-    let weights = match is_whitened {
-        true => length_weights(model, samples, &poses)?,
-        false => Weights::even(1.0, model.cable_count(), count, &poses),
-    };
-    let (_, jacobian) = length_rows(model, samples, parameters, &poses, &weights);
-    let of_sample = |sample: usize| {
-        DMatrix::from_fn(model.cable_count(), parameters.len(), |cable, k| jacobian[(cable * count + sample, k)])
-    };
-    finite((0..count).map(of_sample).collect())
+) -> Result<(PoseRows, Vec<Range<usize>>), PlanError> {
+    let settings = Settings::default();
+    let given = Given { model, samples, parameters, settings: &settings };
+    let noise = if is_whitened { RowNoise::Stated } else { RowNoise::Even(RowWeights::default()) };
+    let mut problem = Problem::of(length_rows(&given, noise)?, samples, parameters, &settings)?;
+    let blocks = problem.residual.blocks(parameters.len());
+    let rows = problem.rows()?;
+    let of_sample = |sample: usize| rows.jacobian.rows(sample * rows.size(), rows.size()).into_owned();
+    Ok((finite((0..samples.len()).map(of_sample).collect())?, blocks))
 }
 
 fn finite(rows: Vec<DMatrix<f64>>) -> Result<Vec<DMatrix<f64>>, PlanError> {

@@ -7,11 +7,11 @@ use crate::clock::ClockOffset;
 use crate::identifiability::{Analysis, Correlation};
 use crate::likelihood::FittedRows;
 use crate::loss::Loss;
-use crate::objective::Certificate;
+use crate::minimize::certificate::Certificate;
+use crate::minimize::starts::Starts;
+use crate::minimize::trail::Trail;
 use crate::outliers::{self, Outlier};
-use crate::starts::Starts;
 use crate::stopping::StoppedBy;
-use crate::trail::Trail;
 use cdpr_model::model::Model;
 use cdpr_model::robot::Parameter;
 

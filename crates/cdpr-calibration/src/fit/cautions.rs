@@ -1,6 +1,7 @@
 //! Doubts about a fit that belong beside its name: parameters at a bound, weak directions.
 
-use super::{Estimate, Fit, Loss, Status};
+use super::{Estimate, Fit, Status};
+use crate::loss::Loss;
 use crate::verdict::{Doubt, DoubtKind};
 
 /// Parameters that a sentence names before it only counts the rest.

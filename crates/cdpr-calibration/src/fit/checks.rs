@@ -2,17 +2,10 @@
 
 use super::input_error::InputError;
 use super::settings::{Settings, prior_sigma};
-use crate::elastostatic;
 use cdpr_model::measurement::Samples;
-use cdpr_model::model::{FreeParameters, Model};
+use cdpr_model::model::{FreeParameters, Model, RecordingParameter};
 use cdpr_model::robot::Parameter;
 use cdpr_model::solve::not_positive;
-
-/// True where poses, lengths and tensions are explained together, by cables in equilibrium; lengths of straight, rigid cables are explained
-/// without tensions, cable by cable.
-pub(crate) fn explains_tensions(model: &Model) -> bool {
-    model.needs_tensions()
-}
 
 /// The free parameters, where model, samples and settings allow a fit of them.
 pub(crate) fn checked_parameters(
@@ -34,8 +27,8 @@ pub(crate) fn check_question(model: &Model, samples: &Samples, settings: &Settin
     if let Some((name, value)) = not_positive(positive) {
         return Err(InputError::Setting { name, value });
     }
-    if settings.row_weights.is_some() && (!explains_tensions(model) || settings.is_other_objective()) {
-        let words = if explains_tensions(model) { "another objective" } else { "the lengths of rigid cables" };
+    if settings.row_weights.is_some() && (!model.needs_tensions() || settings.is_other_objective()) {
+        let words = if model.needs_tensions() { "another objective" } else { "the lengths of rigid cables" };
         return Err(InputError::RowWeightCost { words: words.to_owned() });
     }
     if samples.is_empty() {
@@ -65,7 +58,7 @@ fn check_rows(
     settings: &Settings,
 ) -> Result<(), InputError> {
     let without_prior = |p: &&Parameter| prior_sigma(settings, p.kind).is_none();
-    if explains_tensions(model) {
+    if model.needs_tensions() {
         let (rows, count) =
             (samples.len() * (model.dof() + model.cable_count()), parameters.iter().filter(without_prior).count());
         return match count > rows {
@@ -83,16 +76,12 @@ fn check_rows(
     Ok(())
 }
 
-/// Modelled minus recorded lengths of a sample (from 0) at its measured pose, of elastic models at its measured tensions (m).
-pub(crate) fn length_residuals(model: &Model, samples: &Samples, sample: usize) -> Vec<f64> {
-    if explains_tensions(model) {
-        return elastostatic::length_residuals(model, samples, sample);
-    }
-    let modelled = |cable: usize| {
-        let path = model.path(cable, &samples.poses[sample]);
-        path.map_or(f64::NAN, |(path, _)| model.recorded_length(cable, path.length))
-    };
-    samples.lengths_of(sample).iter().enumerate().map(|(cable, recorded)| modelled(cable) - recorded).collect()
+/// Refuses parameters of the recording, which only squares of lengths tell.
+pub(crate) fn check_recording(free: &FreeParameters, settings: &Settings) -> Result<(), InputError> {
+    let is_freed =
+        |parameter: &RecordingParameter| free.names_recording(*parameter) && !settings.hold.names_recording(*parameter);
+    let freed = RecordingParameter::ALL.into_iter().find(is_freed);
+    freed.map_or(Ok(()), |parameter| Err(InputError::RecordingCost { name: parameter.name() }))
 }
 
 /// Distance from a bound that is none, relative to the larger of bound and start value: steps to a bound end there to rounding.

@@ -6,13 +6,13 @@ mod tests;
 use crate::progress::unobserved;
 use serde::Serialize;
 
-use super::checks::{explains_tensions, length_residuals};
 use super::settings::{ASSUMED_NOISE, ASSUMED_TENSION_SHARE, prior_sigma};
-use super::{Fit, InputError, Settings, optimum};
-use crate::elastostatic;
+use super::{Fit, InputError, Settings};
 use crate::evaluation::evaluate_fitted;
 use crate::loss::Loss;
-use crate::objective::{self, Minimize};
+use crate::objective::Minimize;
+use crate::problem::Problem;
+use crate::residual::length_errors::length_errors;
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;
 use cdpr_model::robot::{Parameter, Robot};
@@ -251,17 +251,10 @@ impl<'a> Course<'a> {
 
     /// The model at the least weighted squares over these parameters, and that sum.
     fn minimise(&self, model: &Model, samples: &Samples, parameters: &[Parameter]) -> Result<(Model, f64), InputError> {
-        let (samples, settings) = (&*model.with_lengths(samples)?, &self.settings);
-        if settings.is_other_objective() {
-            let optimum = objective::optimum(model, samples, parameters, settings, &unobserved)?;
-            return Ok((optimum.calibrated().clone(), optimum.end().cost));
-        }
-        if explains_tensions(model) {
-            let optimum = elastostatic::find(model, samples, parameters, settings, &unobserved)?;
-            return Ok((optimum.calibrated().clone(), optimum.cost()));
-        }
-        let (optimum, _) = optimum::find(model, samples, parameters, settings, &unobserved)?;
-        Ok((optimum.calibrated(model)?, optimum.ends.iter().map(|end| end.cost).sum()))
+        let samples = &*model.with_lengths(samples)?;
+        let mut problem = Problem::new(model, samples, parameters, &self.settings)?;
+        let end = problem.minimize(&unobserved)?.end;
+        Ok((problem.model_at(&end.values)?, end.cost))
     }
 
     /// The model at the optimum of all parameters on other samples, from other start values; `None` where there is none.
@@ -274,9 +267,9 @@ impl<'a> Course<'a> {
 /// Root mean square of modelled minus recorded lengths (m); not a number for models whose lengths depend on tensions.
 fn length_rms(model: &Model, samples: &Samples) -> f64 {
     let Ok(recorded) = model.with_lengths(samples) else { return f64::NAN };
-    let residuals: Vec<f64> = match explains_tensions(model) {
+    let residuals: Vec<f64> = match model.needs_tensions() {
         true => evaluate_fitted(model, &recorded).map_or_else(|_| Vec::new(), |errors| errors.length),
-        false => (0..samples.len()).flat_map(|sample| length_residuals(model, &recorded, sample)).collect(),
+        false => (0..samples.len()).flat_map(|sample| length_errors(model, &recorded, sample)).collect(),
     };
     (residuals.iter().map(|x| x * x).sum::<f64>() / residuals.len() as f64).sqrt()
 }

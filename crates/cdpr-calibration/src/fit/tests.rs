@@ -2,13 +2,14 @@
 
 use nalgebra::Vector3;
 
-use super::{Fit, Prior, checked_parameters, fit, is_at_bound};
-use crate::blocks::{Accumulate, Block};
+use super::checks::is_at_bound;
+use super::{Fit, Prior, checked_parameters, fit};
 use crate::fit::{Minimizer, Settings};
-use crate::pose_lanes::PoseLanes;
 use crate::recorded_curves::curve;
+use crate::residual::lengths::blocks::{Accumulate, Block};
+use crate::residual::lengths::pose_lanes::PoseLanes;
+use crate::residual::lengths::weights::length_weights;
 use crate::stopping::StoppingRule;
-use crate::weights::length_weights;
 use cdpr_model::geometry::Pose;
 use cdpr_model::measurement::{Samples, SensorSigmas};
 use cdpr_model::model::{Composition, Model, place_pulleys};

@@ -1,7 +1,6 @@
 //! Warnings about a fit, in words: doubts about noise, bounds and rank.
 
 use super::{ASSUMED_NOISE, ASSUMED_TENSION_SHARE, Estimate};
-use crate::weights::Weights;
 use cdpr_model::measurement::{Samples, SensorSigmas, three_digits};
 use cdpr_model::model::Model;
 
@@ -30,23 +29,19 @@ pub(crate) fn suspicious_units(model: &Model, samples: &Samples) -> Vec<String> 
     warnings
 }
 
-/// Warnings about noise and bounds of a kinematic fit.
-pub(super) fn of_fit(weights: &Weights, noise_factor: f64, estimates: &[Estimate]) -> Vec<String> {
-    let mut warnings = Vec::new();
-    if weights.absolute {
-        warnings.extend(of_noise(noise_factor, estimates.len()));
-    } else if !estimates.is_empty() {
-        let noise = match noise_factor.is_finite() {
-            true => format!("the residuals of {:.2} mm", 1e3 * noise_factor * ASSUMED_NOISE),
-            false => "an assumed noise of 1 mm, since there are as many parameters as rows".to_owned(),
-        };
-        warnings.push(format!(
-            "no sensor accuracy is known (a sidecar file DATA.meta.toml or --sigma tells it): all lengths weigh the same, and \
-             standard deviations come from {noise}"
-        ));
+/// Warning about the noise of lengths, stated or told by the residuals.
+pub(crate) fn of_length_noise(is_stated: bool, noise_factor: f64, parameter_count: usize) -> Option<String> {
+    if is_stated || parameter_count == 0 {
+        return of_noise(noise_factor, parameter_count).filter(|_| is_stated);
     }
-    warnings.extend(of_bounds(estimates));
-    warnings
+    let noise = match noise_factor.is_finite() {
+        true => format!("the residuals of {:.2} mm", 1e3 * noise_factor * ASSUMED_NOISE),
+        false => "an assumed noise of 1 mm, since there are as many parameters as rows".to_owned(),
+    };
+    Some(format!(
+        "no sensor accuracy is known (a sidecar file DATA.meta.toml or --sigma tells it): all lengths weigh the same, and \
+         standard deviations come from {noise}"
+    ))
 }
 
 /// Residuals larger than the stated accuracies explain.

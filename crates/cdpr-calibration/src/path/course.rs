@@ -3,10 +3,10 @@
 use super::part::Part;
 use super::settings::{PathSettings, Penalty, Towards};
 use super::subproblem::Group;
-use crate::elastostatic::{self, FrozenBalance};
-use crate::fit::{self, FrozenLengths, InputError, explains_tensions};
+use crate::fit::{self, InputError};
+use crate::minimize::unknowns::Unknowns;
+use crate::problem::Problem;
 use crate::progress::unobserved;
-use crate::quadratic::HalfSquares;
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;
 use cdpr_model::robot::{Parameter, ParameterKind};
@@ -85,7 +85,8 @@ impl Question<'_> {
         groups
     }
 
-    fn part<'s>(&self, squares: Box<dyn HalfSquares + 's>, parameters: &[Parameter], scales: Vec<f64>) -> Part<'s> {
+    fn part(&self, block: usize, own: &Unknowns<'_>) -> Part {
+        let (parameters, scales) = (own.parameters, own.scale.clone());
         let centre: Vec<f64> = parameters.iter().map(|parameter| self.centre(parameter)).collect();
         let bounds = parameters.iter().zip(&scales).zip(&centre).map(|((parameter, scale), centre)| {
             let (low, high) = parameter.bounds();
@@ -94,56 +95,55 @@ impl Question<'_> {
         let bounds = bounds.collect();
         let is_ridge = self.path.penalty == Penalty::Ridge;
         let ridge = parameters.iter().map(|parameter| is_ridge && self.is_penalised(parameter)).collect();
-        let start = centre.clone();
-        Part::new(squares, centre, &start, scales, self.groups(parameters), ridge, bounds)
+        Part::new(block, centre, scales, self.groups(parameters), ridge, bounds)
     }
 
     /// Follows the penalty on samples, over penalties that they tell where none are given.
     pub(super) fn follow(&self, samples: &Samples, lambdas: Option<&[f64]>) -> Result<Vec<Place>, InputError> {
         let samples = &*self.model.with_lengths(samples)?;
         let settings = fit::Settings { starts: 1, ..self.settings.clone() };
+        let mut problem = Problem::new(self.model, samples, self.parameters, &settings)?;
+        // the optimum leaves the weights that belong to it
+        problem.minimize(&unobserved)?;
+        let blocks = problem.residual.blocks(self.parameters.len()).into_iter().enumerate();
+        let with_parameters = blocks.filter(|(_, range)| !range.is_empty());
+        let mut parts: Vec<Part> =
+            with_parameters.map(|(block, range)| self.part(block, &problem.unknowns.within(range))).collect();
         let mut places = Vec::new();
-        if explains_tensions(self.model) {
-            let optimum = elastostatic::find(self.model, samples, self.parameters, &settings, &unobserved)?;
-            let squares = FrozenBalance::new(&optimum, samples, self.parameters, &settings);
-            let scales = squares.scales();
-            let mut parts = [self.part(Box::new(squares), self.parameters, scales)];
-            self.walk(&mut parts, lambdas, &mut |place| places.push(place));
-        } else {
-            let lengths = FrozenLengths::find(self.model, samples, self.parameters, &settings)?;
-            let mut parts = Vec::new();
-            for cable in lengths.cables() {
-                let (own, scales) = (cable.parameters().to_vec(), cable.scales());
-                parts.push(self.part(Box::new(cable), &own, scales));
-            }
-            self.walk(&mut parts, lambdas, &mut |place| places.push(place));
-        }
+        self.walk(&mut problem, &mut parts, lambdas, &mut |place| places.push(place));
         Ok(places)
     }
 
-    fn walk(&self, parts: &mut [Part<'_>], lambdas: Option<&[f64]>, take: &mut dyn FnMut(Place)) {
+    fn walk(
+        &self,
+        problem: &mut Problem<'_>,
+        parts: &mut [Part],
+        lambdas: Option<&[f64]>,
+        take: &mut dyn FnMut(Place),
+    ) {
         // unpenalised parameters first, the others held
-        parts.iter_mut().for_each(|part| {
-            part.minimise(f64::INFINITY);
-        });
+        for part in parts.iter_mut() {
+            part.begin(problem);
+            part.minimise(problem, f64::INFINITY);
+        }
         let own = match lambdas {
             Some(_) => Vec::new(),
-            None => self.lambdas(parts),
+            None => self.lambdas(problem, parts),
         };
         for &lambda in lambdas.unwrap_or(&own) {
-            take(minimised(parts, lambda));
+            take(minimised(problem, parts, lambda));
         }
     }
 
     /// Penalties from the least that holds all parameters down by equal ratios to where the squares are nearly the least, and 0.
-    fn lambdas(&self, parts: &mut [Part<'_>]) -> Vec<f64> {
+    fn lambdas(&self, problem: &mut Problem<'_>, parts: &mut [Part]) -> Vec<f64> {
         let curvature = parts.iter().map(Part::curvature).fold(0.0, f64::max);
         let holding = parts.iter().map(Part::least_holding).fold(0.0, f64::max);
         let (top, least) = match self.path.penalty {
             Penalty::Ridge => (RIDGE.0 * curvature, RIDGE.1),
             _ => {
                 let top = (1.0 + BEYOND) * holding.max(NO_GRADIENT * curvature.sqrt());
-                (top, (near_the_least(parts) / top).clamp(LEAST.0, LEAST.1))
+                (top, (near_the_least(problem, parts) / top).clamp(LEAST.0, LEAST.1))
             }
         };
         let last = self.path.points.max(2) - 1;
@@ -153,11 +153,11 @@ impl Question<'_> {
 }
 
 /// Least value at a penalty, from where the parts stand.
-fn minimised(parts: &mut [Part<'_>], lambda: f64) -> Place {
+fn minimised(problem: &mut Problem<'_>, parts: &mut [Part], lambda: f64) -> Place {
     let mut place =
         Place { lambda, values: Vec::new(), changes: Vec::new(), is_off: Vec::new(), squares: 0.0, converged: true };
     for part in parts {
-        place.converged &= part.minimise(lambda);
+        place.converged &= part.minimise(problem, lambda);
         place.squares += 2.0 * part.half_squares();
         place.values.extend(part.values());
         place.changes.extend(part.changes());
@@ -167,10 +167,10 @@ fn minimised(parts: &mut [Part<'_>], lambda: f64) -> Place {
 }
 
 /// Penalty at which the squares exceed their least by no more than a share: by 2 λ Σ |u|, u the changes at the least. The parts stay where they are.
-fn near_the_least(parts: &mut [Part<'_>]) -> f64 {
+fn near_the_least(problem: &mut Problem<'_>, parts: &mut [Part]) -> f64 {
     let (mut squares, mut penalty) = (0.0, 0.0);
     for part in parts {
-        let (half, own) = part.at_the_least();
+        let (half, own) = part.at_the_least(problem);
         (squares, penalty) = (squares + 2.0 * half, penalty + own);
     }
     if penalty > 0.0 { NEAR * squares / (2.0 * penalty) } else { f64::INFINITY }

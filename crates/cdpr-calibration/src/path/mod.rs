@@ -14,10 +14,9 @@ mod validation;
 use serde::Serialize;
 
 use super::cross_validation::reported_part;
-use super::elastostatic::checked_start;
-use super::fit::{self, Fit, InputError, checked_parameters, explains_tensions};
+use super::fit::{self, Fit, InputError, check_recording, checked_parameters};
 use super::loss::Loss;
-use super::objective;
+use super::residual::balance::start::checked_start;
 use cdpr_model::measurement::{Fold, Samples};
 use cdpr_model::model::{FreeParameters, Model};
 use cdpr_model::reading::Keyword;
@@ -97,10 +96,7 @@ pub fn penalty_path(
     let parameters = checked_parameters(model, samples, free, &settings)?;
     let folds = trusted(samples, fit, folds);
     let part = samples.subset(&reported_part(samples, &folds));
-    let model = match explains_tensions(model) {
-        true => checked_start(model, &part, &parameters)?,
-        false => model.clone(),
-    };
+    let model = checked_start(model, &part, &parameters)?;
     let question = Question { model: &model, parameters: &parameters, settings: &settings, path };
     let places = question.follow(&part, None)?;
     let found = validated(&question, samples, &folds, part.len(), &places)?;
@@ -109,7 +105,7 @@ pub fn penalty_path(
 
 /// Refuses what is no sum of squares of the robot's parameters alone.
 pub(super) fn is_path_of(free: &FreeParameters, settings: &fit::Settings) -> Result<(), InputError> {
-    objective::check_recording(free, settings)?;
+    check_recording(free, settings)?;
     let is_robust = !matches!(settings.loss, Loss::Auto | Loss::Squared);
     if settings.is_other_objective() || is_robust {
         let words = match is_robust {

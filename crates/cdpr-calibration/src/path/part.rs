@@ -3,7 +3,8 @@
 use nalgebra::DVector;
 
 use super::subproblem::{Group, Subproblem};
-use crate::quadratic::{HalfSquares, Quadratic};
+use crate::minimize::dense::DenseEquations;
+use crate::problem::Problem;
 
 /// Most steps at one penalty.
 const STEPS: usize = 200;
@@ -18,9 +19,10 @@ const STALLED: (f64, usize) = (1e-13, 4);
 /// Steps below this are rounding (m).
 const RESTING: f64 = 1e-13;
 
-/// Half the squares of some parameters beside their penalty, in metres of cable from its centre.
-pub(super) struct Part<'a> {
-    pub(super) squares: Box<dyn HalfSquares + 'a>,
+/// Half the squares of a block of parameters beside their penalty, in metres of cable from its centre.
+pub(super) struct Part {
+    /// Block of the problem.
+    block: usize,
     /// Metres that one unit of each parameter is worth.
     pub(super) scales: Vec<f64>,
     /// Values at which the penalty is 0.
@@ -39,28 +41,30 @@ pub(super) struct Part<'a> {
 struct Place {
     /// Changes from the centre (m).
     changes: DVector<f64>,
-    /// Half the squares there, derivatives by changes.
-    quadratic: Quadratic,
+    /// The squares there with half their derivatives, by changes.
+    quadratic: DenseEquations,
 }
 
-impl<'a> Part<'a> {
-    /// From values of parameters, which have no penalty where they are the centre.
+impl Part {
+    /// At values of parameters that have no penalty.
     pub(super) fn new(
-        squares: Box<dyn HalfSquares + 'a>,
+        block: usize,
         centre: Vec<f64>,
-        start: &[f64],
         scales: Vec<f64>,
         groups: Vec<Group>,
         ridge: Vec<bool>,
         bounds: Vec<(f64, f64)>,
     ) -> Self {
         let count = scales.len();
-        let changes = DVector::from_fn(count, |k, _| (start[k] - centre[k]) * scales[k]);
-        let here = Place { changes, quadratic: Quadratic::new(count) };
-        let mut part = Self { squares, scales, centre, groups, ridge, bounds, trial: here.clone(), here };
-        part.evaluate();
-        std::mem::swap(&mut part.here, &mut part.trial);
-        part
+        let here = Place { changes: DVector::zeros(count), quadratic: DenseEquations::new(count) };
+        Self { block, scales, centre, groups, ridge, bounds, trial: here.clone(), here }
+    }
+
+    /// Takes the squares where the part stands.
+    pub(super) fn begin(&mut self, problem: &mut Problem<'_>) {
+        self.trial.changes.clone_from(&self.here.changes);
+        self.evaluate(problem);
+        std::mem::swap(&mut self.here, &mut self.trial);
     }
 
     /// Values of the parameters; exactly the centre where the change is 0.
@@ -87,7 +91,7 @@ impl<'a> Part<'a> {
 
     /// ½χ².
     pub(super) fn half_squares(&self) -> f64 {
-        self.here.quadratic.value
+        0.5 * self.here.quadratic.cost
     }
 
     /// Largest second derivative of a parameter with a penalty (1/m²).
@@ -106,9 +110,9 @@ impl<'a> Part<'a> {
     }
 
     /// ½χ² and the norms that the penalty weighs, at the least squares.
-    pub(super) fn at_the_least(&mut self) -> (f64, f64) {
+    pub(super) fn at_the_least(&mut self, problem: &mut Problem<'_>) -> (f64, f64) {
         let here = self.here.clone();
-        self.minimise(0.0);
+        self.minimise(problem, 0.0);
         let norms = self.groups.iter().map(|group| group.penalty(1.0, &self.here.changes)).sum();
         let half = self.half_squares();
         self.here = here;
@@ -116,7 +120,7 @@ impl<'a> Part<'a> {
     }
 
     /// Descends to the least value for this λ; false where it is not found.
-    pub(super) fn minimise(&mut self, lambda: f64) -> bool {
+    pub(super) fn minimise(&mut self, problem: &mut Problem<'_>, lambda: f64) -> bool {
         let (mut damping, mut stalled) = (0.0, 0);
         for _ in 0..STEPS {
             let tolerance = self.tolerance(lambda);
@@ -125,12 +129,12 @@ impl<'a> Part<'a> {
             }
             let quadratic = self.with_ridge(&self.here, lambda, damping);
             let Self { groups, bounds, .. } = &*self;
-            let problem = Subproblem { quadratic: &quadratic, at: &self.here.changes, groups, lambda, bounds };
+            let subproblem = Subproblem { quadratic: &quadratic, at: &self.here.changes, groups, lambda, bounds };
             let mut changes = self.here.changes.clone();
-            problem.solve(&mut changes, 0.1 * tolerance);
+            subproblem.solve(&mut changes, 0.1 * tolerance);
             let step = (&changes - &self.here.changes).amax();
             self.trial.changes = changes;
-            let is_finite = self.evaluate();
+            let is_finite = self.evaluate(problem);
             let (trial, here) = (self.cost(&self.trial, lambda), self.cost(&self.here, lambda));
             if is_finite && trial <= here + 1e-12 * here.abs() {
                 std::mem::swap(&mut self.here, &mut self.trial);
@@ -157,14 +161,14 @@ impl<'a> Part<'a> {
     }
 
     fn tolerance(&self, lambda: f64) -> f64 {
-        let Quadratic { value, hessian, .. } = &self.here.quadratic;
+        let DenseEquations { cost, hessian, .. } = &self.here.quadratic;
         let curvature = hessian.diagonal().max();
         let is_slope = lambda.is_finite() && !self.ridge.contains(&true);
         let fraction = if is_slope { EXACT * lambda } else { 0.0 };
-        fraction + ROUNDING.0 * curvature + ROUNDING.1 * (2.0 * value * curvature).sqrt()
+        fraction + ROUNDING.0 * curvature + ROUNDING.1 * (cost * curvature).sqrt()
     }
 
-    fn with_ridge(&self, place: &Place, lambda: f64, damping: f64) -> Quadratic {
+    fn with_ridge(&self, place: &Place, lambda: f64, damping: f64) -> DenseEquations {
         let mut quadratic = place.quadratic.clone();
         for k in 0..self.ridge.len() {
             if self.ridge[k] {
@@ -179,14 +183,14 @@ impl<'a> Part<'a> {
     fn cost(&self, place: &Place, lambda: f64) -> f64 {
         let groups = self.groups.iter().map(|group| group.penalty(lambda, &place.changes)).sum::<f64>();
         let ridge = (0..self.ridge.len()).filter(|&k| self.ridge[k]).map(|k| place.changes[k].powi(2)).sum::<f64>();
-        place.quadratic.value + groups + if ridge > 0.0 { 0.5 * lambda * ridge } else { 0.0 }
+        0.5 * place.quadratic.cost + groups + if ridge > 0.0 { 0.5 * lambda * ridge } else { 0.0 }
     }
 
-    /// Half the squares at the trial's changes.
-    fn evaluate(&mut self) -> bool {
+    /// The squares at the trial's changes.
+    fn evaluate(&mut self, problem: &mut Problem<'_>) -> bool {
         let values: Vec<f64> = self.values_at(&self.trial.changes).collect();
-        let is_finite = self.squares.write(&values, &mut self.trial.quadratic);
-        let Quadratic { gradient, hessian, .. } = &mut self.trial.quadratic;
+        let is_finite = problem.write(self.block, &values, &mut self.trial.quadratic);
+        let DenseEquations { gradient, hessian, .. } = &mut self.trial.quadratic;
         for i in 0..values.len() {
             gradient[i] /= self.scales[i];
             (0..values.len()).for_each(|j| hessian[(i, j)] /= self.scales[i] * self.scales[j]);

@@ -2,7 +2,7 @@
 
 use nalgebra::{Cholesky, DMatrix, DVector, SymmetricEigen};
 
-use crate::quadratic::Quadratic;
+use crate::minimize::dense::DenseEquations;
 
 /// Most rounds of sweeps and Newton steps; the set of groups that are not zero seldom takes five to settle.
 const ROUNDS: usize = 200;
@@ -21,7 +21,7 @@ pub(super) struct Group {
 
 /// Quadratic function of d beside Σ λ weight ‖z‖ of groups of z = at + d.
 pub(super) struct Subproblem<'a> {
-    pub(super) quadratic: &'a Quadratic,
+    pub(super) quadratic: &'a DenseEquations,
     pub(super) at: &'a DVector<f64>,
     pub(super) groups: &'a [Group],
     pub(super) lambda: f64,

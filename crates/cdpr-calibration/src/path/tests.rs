@@ -7,7 +7,7 @@ use super::subproblem::{Group, Subproblem};
 use super::{PathSettings, Penalty, Towards, penalty_path};
 use crate::fit::{Prior, Settings, fit};
 use crate::loss::Loss;
-use crate::quadratic::Quadratic;
+use crate::minimize::dense::DenseEquations;
 use cdpr_model::geometry::Pose;
 use cdpr_model::measurement::{Fold, Samples, SensorSigmas, Split};
 use cdpr_model::model::{Composition, FreeParameters, Model};
@@ -270,8 +270,8 @@ fn quadratic_problems_end_at_their_least_value() {
         6 => wave(7 * i) + 1e-3 * wave(i + 50),
         j => wave(7 * i + j),
     });
-    let quadratic = Quadratic {
-        value: 0.0,
+    let quadratic = DenseEquations {
+        cost: 0.0,
         gradient: rows.tr_mul(&DVector::from_fn(12, |i, _| wave(i + 100))),
         hessian: rows.tr_mul(&rows),
     };

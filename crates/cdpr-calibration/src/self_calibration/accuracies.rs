@@ -1,11 +1,14 @@
 //! Accuracies of sensors whose noise nobody states, told by the residuals of all sensors together.
 
+use super::internal::Sensing;
 use super::question::Question;
 use super::sensor_fit::SensorFit;
-use super::vectors::Sensing;
 use crate::fit::{InputError, Settings};
-use crate::objective::{Sensor, Weights, search};
+use crate::minimize::minimize;
+use crate::problem::model_at;
 use crate::progress::unobserved;
+use crate::residual::Poseless;
+use crate::residual::sensors::{Sensor, Weights};
 use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 use cdpr_model::robot::Parameter;
@@ -58,11 +61,11 @@ impl Question<'_> {
         near: &[Pose],
         settings: &Settings,
     ) -> Result<(Vec<SensorFit>, Model, Vec<Pose>), InputError> {
-        let mut vectors = self.start(model, parameters, Some(near))?;
-        let units = self.units(self.scale(parameters, &vectors.poses())?);
-        let optimum = search(&mut vectors, model, parameters, units, settings, &unobserved, None)?;
-        let calibrated = optimum.calibrated().clone();
-        let end = self.rows(&calibrated, parameters, Some(&vectors.poses()))?;
+        let mut residual = self.start(model, parameters, Some(near))?;
+        let unknowns = self.unknowns(model, parameters, settings, &residual.poses())?;
+        let optimum = minimize(&mut residual, &unknowns, None, &unobserved)?;
+        let calibrated = model_at(&residual, &unknowns, &optimum.end.values)?;
+        let end = self.rows(&calibrated, parameters, Some(&residual.poses()))?;
         Ok((self.sensor_fits(&end), calibrated, end.poses))
     }
 }

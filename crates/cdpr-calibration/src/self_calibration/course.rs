@@ -1,24 +1,25 @@
 //! Course of a calibration without poses: every step with the poses that its parameters lead to.
 
+use super::internal::InternalResidual;
 use super::question::Question;
-use super::vectors::PoseVectors;
-use super::written::{Written, stacked};
+use super::written::{Written, rows_at};
 use crate::course::CourseStep;
 use crate::fit::{Fit, InputError};
 use crate::identifiability::{rank_and_condition, singular_values, with_unit_columns};
-use cdpr_model::robot::Parameter;
+use crate::minimize::unknowns::Unknowns;
+use crate::residual::Poseless;
 use cdpr_model::scalar::TriangularFactor;
 use cdpr_model::solve::minimizer;
 
 impl Question<'_> {
-    /// Steps of a fit that kept them, from the start to the optimum, by the rows that poses leave; `scales` are metres of one unit of each parameter.
+    /// Steps of a fit that kept them, from the start to the optimum, by the rows that poses leave.
     pub(super) fn course(
         &self,
-        vectors: &mut PoseVectors<'_>,
+        residual: &mut InternalResidual<'_>,
         fit: &Fit,
-        parameters: &[Parameter],
-        scales: &[f64],
+        unknowns: &Unknowns<'_>,
     ) -> Result<Vec<CourseStep>, InputError> {
+        let parameters = unknowns.parameters;
         let mut places = fit.trail.places().to_vec();
         if places.is_empty() || parameters.is_empty() {
             return Ok(Vec::new());
@@ -29,16 +30,16 @@ impl Question<'_> {
         let mut steps: Vec<CourseStep> = Vec::with_capacity(places.len());
         for values in places {
             let model = self.model.with_parameters(parameters, &values).ok_or(InputError::NotFinite)?;
-            let stacked = stacked(vectors, &model, parameters)?;
-            let rows = stacked.jacobian.nrows();
-            let factor = TriangularFactor::of(&stacked.jacobian).into_matrix();
-            let (rank, condition) = rank_and_condition(&singular_values(factor.clone()), rows);
-            let (_, condition_scaled) = rank_and_condition(&singular_values(with_unit_columns(factor)), rows);
-            let written = Written { stacked, poses: vectors.poses(), leverages: Vec::new() };
+            let rows = rows_at(residual, &model, parameters)?;
+            let count = rows.jacobian.nrows();
+            let factor = TriangularFactor::of(&rows.jacobian).into_matrix();
+            let (rank, condition) = rank_and_condition(&singular_values(factor.clone()), count);
+            let (_, condition_scaled) = rank_and_condition(&singular_values(with_unit_columns(factor)), count);
+            let written = Written { rows, poses: residual.poses(), leverages: Vec::new() };
             let squares = written.lengths(&self.sensing).norm_squared() / self.internal.samples.lengths.len() as f64;
             let step = |before: &CourseStep| {
                 let changes: Vec<f64> = values.iter().zip(&before.values).map(|(now, before)| now - before).collect();
-                minimizer::size(&changes, scales)
+                minimizer::size(&changes, &unknowns.scale)
             };
             steps.push(CourseStep {
                 step_m: steps.last().map(step),

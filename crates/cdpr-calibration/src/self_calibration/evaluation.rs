@@ -5,12 +5,13 @@ use std::borrow::Cow;
 use nalgebra::DVector;
 
 use super::found::{as_found, modelled_length};
+use super::internal::Sensing;
 use super::question::{Forces, check_swivels, no_equation_left, sensing};
-use super::vectors::Sensing;
-use super::written::stacked;
+use super::written::rows_at;
 use crate::evaluation::Evaluation;
 use crate::fit::InputError;
-use crate::objective::Sensor;
+use crate::residual::Poseless;
+use crate::residual::sensors::Sensor;
 use cdpr_model::geometry::Pose;
 use cdpr_model::measurement::{InternalSamples, Samples};
 use cdpr_model::model::Model;
@@ -87,12 +88,13 @@ impl<'a> Agreed<'a> {
         }
         check_swivels(model, internal)?;
         let (internal, sensing) = used(model, internal);
-        let mut vectors = sensing.vectors(model, &internal, &[], &[]);
-        if vectors.equation_count().is_none() {
+        let mut residual = sensing.residual(model, &internal, &[], &[]);
+        if residual.equation_count().is_none() {
             return Err(no_equation_left(model, &sensing));
         }
-        let residuals = stacked(&mut vectors, model, &[])?.residuals;
-        let (poses, leverages) = (vectors.poses(), vectors.leverages());
+        let residuals = rows_at(&mut residual, model, &[])?.residuals;
+        let (poses, leverages) = (residual.poses(), residual.leverages());
+        drop(residual);
         Ok(Self { model, internal, sensing, poses, residuals, leverages })
     }
 
@@ -156,7 +158,7 @@ fn used<'a>(model: &Model, internal: &'a InternalSamples) -> (Cow<'a, InternalSa
         InternalSamples { samples: Samples { tensions: None, ..internal.samples.clone() }, ..internal.clone() };
     let by_geometry = sensing(model, &geometry, Forces::Sensors);
     let is_determined =
-        !model.needs_tensions() && by_geometry.vectors(model, &geometry, &[], &[]).equation_count().is_some();
+        !model.needs_tensions() && by_geometry.residual(model, &geometry, &[], &[]).equation_count().is_some();
     match is_determined || internal.samples.tensions.is_none() {
         true => (Cow::Owned(geometry), by_geometry),
         false => (Cow::Borrowed(internal), sensing(model, internal, Forces::Sensors)),

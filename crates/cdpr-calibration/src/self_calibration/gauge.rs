@@ -5,7 +5,7 @@ use serde::Serialize;
 
 use super::equations::Equation;
 use crate::gauge_convention::GaugeConvention;
-use crate::objective::Stacked;
+use crate::residual::rows::Rows;
 use cdpr_model::geometry::Twist;
 use cdpr_model::measurement::InternalSamples;
 use cdpr_model::model::Model;
@@ -64,7 +64,7 @@ struct Motion {
 
 impl Gauge {
     /// Gauge at a model's values, where these are the rows.
-    pub(super) fn of(model: &Model, parameters: &[Parameter], rows: &Stacked, lengths: &DVector<f64>) -> Self {
+    pub(super) fn of(model: &Model, parameters: &[Parameter], rows: &Rows, lengths: &DVector<f64>) -> Self {
         let motions = motions(model, parameters);
         let mut seen = DMatrix::zeros(rows.jacobian.nrows(), motions.len());
         for (mut column, motion) in seen.column_iter_mut().zip(&motions) {

@@ -11,17 +11,20 @@ mod equations;
 mod evaluation;
 mod found;
 mod gauge;
+mod internal;
 mod question;
 mod sensor_fit;
 mod validation;
-mod vectors;
 mod way_around;
 mod written;
 
 use super::course::CourseStep;
-use super::fit::{Fit, InputError, Settings};
-use super::objective::{Units, report, search};
+use super::fit::{Fit, InputError, Settings, report};
+use super::minimize::minimize;
+use super::minimize::unknowns::Unknowns;
 use super::plausibility::{Distrust, beyond_length_accuracy};
+use super::problem::model_at;
+use super::residual::Poseless;
 use super::unit_scale::joint_scales;
 use crate::progress::Progress;
 use cdpr_model::geometry::Pose;
@@ -33,12 +36,12 @@ pub use evaluation::evaluate_lengths;
 use found::as_found;
 use gauge::Gauge;
 pub use gauge::GaugeFixing;
+use internal::InternalResidual;
 use question::Question;
 pub use sensor_fit::SensorFit;
 pub use validation::cross_validate_without_poses;
 pub(super) use validation::{Calibrated, Calibrations};
-use vectors::PoseVectors;
-use written::{Written, stacked};
+use written::{Written, rows_at};
 
 /// A robot calibrated without measured poses.
 #[must_use = "check the status of the fit before using the parameters"]
@@ -78,7 +81,7 @@ pub fn self_calibrate(
     let equations = question.count_equations();
     let start = question.rows(&question.model, &question.parameters, None)?;
     let lengths = start.lengths(&question.sensing);
-    let gauge = Gauge::of(&question.model, &question.parameters, &start.stacked, &lengths);
+    let gauge = Gauge::of(&question.model, &question.parameters, &start.rows, &lengths);
     let kept = question.fix(&gauge)?;
     let parameters = question.parameters.len() - gauge.held.len();
     if parameters > equations + question.prior_count(&kept) {
@@ -86,27 +89,24 @@ pub fn self_calibrate(
     }
     question.agree_on_accuracies(&kept, &start.poses)?;
     let Question { model: start_model, internal: data, .. } = &question;
-    let mut vectors = question.start(start_model, &kept, Some(&start.poses))?;
-    let scales = question.scale(&kept, &vectors.poses())?;
-    let mut search_from = |from: Option<&[f64]>| {
-        search(&mut vectors, start_model, &kept, question.units(scales.clone()), settings, progress, from)
-    };
-    let mut optimum = search_from(None)?;
-    if !optimum.end().converged()
+    let mut residual = question.start(start_model, &kept, Some(&start.poses))?;
+    let unknowns = question.unknowns(start_model, &kept, settings, &residual.poses())?;
+    let mut optimum = minimize(&mut residual, &unknowns, None, progress)?;
+    if !optimum.end.converged()
         && let Some(from) = question.way_around(&gauge, &start.poses)?
     {
-        optimum = search_from(Some(&from))?;
+        optimum = minimize(&mut residual, &unknowns, Some(&from), progress)?;
     }
-    let stacked = optimum.stacked(&mut vectors)?;
-    let unsettled = vectors.unsettled();
-    let calibrated = optimum.calibrated().clone();
-    let end = question.rows(&calibrated, &question.parameters, Some(&vectors.poses()))?;
+    let calibrated = model_at(&residual, &unknowns, &optimum.end.values)?;
+    rows_at(&mut residual, &calibrated, &kept)?;
+    let unsettled = residual.unsettled();
+    let end = question.rows(&calibrated, &question.parameters, Some(&residual.poses()))?;
     let sensors = question.sensor_fits(&end);
     let sigma = question.sensing.length_sigma();
     let cost_m2 = end.lengths(&question.sensing).norm_squared() * sigma * sigma;
     let mut found = as_found(&calibrated, data, &end.poses)?;
-    let mut fit = report(optimum, &stacked, &found, &kept, settings);
-    let course = question.course(&mut vectors, &fit, &kept, &scales)?;
+    let mut fit = report(&mut residual, &unknowns, optimum, &found, Vec::new())?;
+    let course = question.course(&mut residual, &fit, &unknowns)?;
     // angles from a common start are those of no start length
     found.motor_angles = found.motor_angles.filter(|_| !data.are_changes);
     if unsettled > 0 {
@@ -150,33 +150,40 @@ impl SelfCalibration {
 impl Question<'_> {
     /// Rows at a model's values, poses searched from some that were found before.
     fn rows(&self, model: &Model, parameters: &[Parameter], near: Option<&[Pose]>) -> Result<Written, InputError> {
-        let mut vectors = self.sensing.vectors(model, &self.internal, parameters, &self.equations);
-        near.into_iter().for_each(|poses| vectors.begin_at(poses));
-        let stacked = stacked(&mut vectors, model, parameters)?;
-        Ok(Written { stacked, poses: vectors.poses(), leverages: vectors.leverages() })
+        let mut residual = self.sensing.residual(model, &self.internal, parameters, &self.equations);
+        near.into_iter().for_each(|poses| residual.begin_at(poses));
+        let rows = rows_at(&mut residual, model, parameters)?;
+        Ok(Written { rows, poses: residual.poses(), leverages: residual.leverages() })
     }
 
-    /// Vectors of some of the parameters, written at their start.
+    /// Residuals of some of the parameters, written at their start.
     fn start<'a>(
         &'a self,
-        model: &'a Model,
+        model: &Model,
         parameters: &'a [Parameter],
         near: Option<&[Pose]>,
-    ) -> Result<PoseVectors<'a>, InputError> {
-        let mut vectors = self.sensing.vectors(model, &self.internal, parameters, &self.equations);
-        near.into_iter().for_each(|poses| vectors.begin_at(poses));
-        stacked(&mut vectors, model, parameters)?;
-        Ok(vectors)
+    ) -> Result<InternalResidual<'a>, InputError> {
+        let mut residual = self.sensing.residual(model, &self.internal, parameters, &self.equations);
+        near.into_iter().for_each(|poses| residual.begin_at(poses));
+        rows_at(&mut residual, model, parameters)?;
+        Ok(residual)
     }
 
-    /// Metres of one unit of each parameter.
-    fn scale(&self, parameters: &[Parameter], poses: &[Pose]) -> Result<Vec<f64>, InputError> {
+    /// Unknowns of some of the parameters from a model's values, where poses were found.
+    fn unknowns<'b>(
+        &self,
+        model: &Model,
+        parameters: &'b [Parameter],
+        settings: &'b Settings,
+        poses: &[Pose],
+    ) -> Result<Unknowns<'b>, InputError> {
         let lengths = as_found(&self.model, &self.internal, poses)?.lengths;
-        Ok(joint_scales(&self.model, parameters, &lengths, self.tensions()))
-    }
-
-    fn units(&self, scale: Vec<f64>) -> Units {
-        let (unit, absolute) = (self.sensing.unit(), self.are_stated());
-        Units { scale, unit, absolute, mean_tension: self.mean_tension() }
+        Ok(Unknowns {
+            parameters,
+            start: parameters.iter().map(|parameter| parameter.value(model.robot())).collect(),
+            scale: joint_scales(&self.model, parameters, &lengths, self.tensions()),
+            settings,
+            mean_tension: self.mean_tension(),
+        })
     }
 }

@@ -3,13 +3,14 @@
 use super::equations::Equation;
 use super::found::modelled_length;
 use super::gauge::Gauge;
-use super::vectors::Sensing;
-use crate::elastostatic::with_constant_wrench;
+use super::internal::Sensing;
 use crate::fit::{
-    ASSUMED_NOISE, InputError, Settings, check_motor_angles, check_question, checked_parameters, prior_sigma,
+    ASSUMED_NOISE, InputError, Settings, check_motor_angles, check_question, check_recording, checked_parameters,
+    prior_sigma,
 };
 use crate::gauge_convention::GaugeConvention;
-use crate::objective::{Layout, Swivel, Weights, check_recording};
+use crate::residual::balance::start::with_constant_wrench;
+use crate::residual::sensors::{SensorLayout, Swivel, Weights};
 use cdpr_model::measurement::{InternalSamples, Samples};
 use cdpr_model::model::{FreeParameters, Model};
 use cdpr_model::robot::{Parameter, ParameterKind};
@@ -69,7 +70,7 @@ pub(super) fn sensing(model: &Model, internal: &InternalSamples, asked: Forces) 
     let is_told = asked != Forces::Nothing || model.cable_count() <= model.dof();
     let balances = model.needs_tensions() || (samples.tensions.is_some() && has_load && is_told);
     let weights = Weights::new(model, &samples.sigmas, mean(samples.tensions.as_deref().unwrap_or_default()));
-    let layout = Layout::of(model, internal, balances, &weights);
+    let layout = SensorLayout::of(model, internal, balances, &weights);
     match layout.has_only_lengths() {
         true => Sensing::Lengths(samples.sigmas.length.filter(|sigma| *sigma > 0.0).unwrap_or(ASSUMED_NOISE)),
         false => Sensing::All(layout, weights),
@@ -105,7 +106,7 @@ impl<'a> Question<'a> {
         let sensing = sensing(model, internal, Forces::of(free, &settings.hold, internal));
         internal.facts.iter().try_for_each(|known| known.check(model.cable_count(), internal.are_changes))?;
         let equations = internal.facts.iter().cloned().map(Equation::Known).collect();
-        if sensing.vectors(model, internal, &[], &[]).equation_count().unwrap_or(0) == 0 {
+        if sensing.residual(model, internal, &[], &[]).equation_count().unwrap_or(0) == 0 {
             return Err(no_equation_left(model, &sensing));
         }
         let balances = matches!(&sensing, Sensing::All(layout, _) if layout.balances());
@@ -195,7 +196,7 @@ impl<'a> Question<'a> {
 
     /// Equations that poses leave for the parameters, and those known besides.
     pub(super) fn count_equations(&self) -> usize {
-        self.sensing.vectors(&self.model, &self.internal, &[], &self.equations).equation_count().unwrap_or(0)
+        self.sensing.residual(&self.model, &self.internal, &[], &self.equations).equation_count().unwrap_or(0)
     }
 
     /// Priors on these parameters.

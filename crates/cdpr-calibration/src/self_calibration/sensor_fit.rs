@@ -2,11 +2,10 @@
 
 use serde::Serialize;
 
+use super::internal::Sensing;
 use super::question::Question;
-use super::vectors::Sensing;
 use super::written::Written;
-use crate::objective::Sensor;
-use cdpr_model::measurement::SensorSigmas;
+use crate::residual::sensors::Sensor;
 
 /// Residuals of one sensor.
 #[derive(Clone, Debug, PartialEq, Serialize)]
@@ -53,14 +52,14 @@ impl Question<'_> {
             // parts of poses that are not measured have leverages and residuals of zero, and no derivative
             let is_row = |row: &usize| sensor != Sensor::Pose || end.leverages[*row] > 0.0;
             let rows: Vec<usize> = layout.places(sensor, samples).filter(is_row).collect();
-            let squares: f64 = rows.iter().map(|row| end.stacked.residuals[*row].powi(2)).sum();
+            let squares: f64 = rows.iter().map(|row| end.rows.residuals[*row].powi(2)).sum();
             let redundancy = rows.iter().map(|row| 1.0 - leverages[*row]).sum::<f64>().max(0.0);
             (!rows.is_empty()).then(|| SensorFit {
                 sensor: name,
                 unit,
                 rms: sigma * (squares / rows.len() as f64).sqrt(),
                 sigma,
-                is_stated: is_stated(stated, sensor),
+                is_stated: sensor.is_stated(stated),
                 rows: rows.len(),
                 redundancy,
             })
@@ -70,12 +69,11 @@ impl Question<'_> {
 
     /// True where every accuracy is stated that weighs a row.
     pub(super) fn are_stated(&self) -> bool {
-        let Sensing::All(layout, _) = &self.sensing else {
-            return is_stated(&self.internal.samples.sigmas, Sensor::Length);
-        };
         let stated = &self.internal.samples.sigmas;
-        let has = |(sensor, ..): &(Sensor, &str, &str)| layout.has(*sensor);
-        SENSORS.iter().filter(|sensor| has(sensor)).all(|(sensor, ..)| is_stated(stated, *sensor))
+        match &self.sensing {
+            Sensing::Lengths(_) => Sensor::Length.is_stated(stated),
+            Sensing::All(layout, _) => layout.are_stated(stated),
+        }
     }
 }
 
@@ -89,18 +87,6 @@ pub(super) const SENSORS: [(Sensor, &str, &str); 4] = [
     (Sensor::Swivel, "swivel", "rad"),
     (Sensor::Pose, "rotation", "rad"),
 ];
-
-/// True where the accuracy of a sensor is known.
-pub(super) fn is_stated(stated: &SensorSigmas, sensor: Sensor) -> bool {
-    match sensor {
-        // lengths without error would weigh without end: the assumed accuracy takes their place
-        Sensor::Length => stated.length.is_some_and(|sigma| sigma > 0.0),
-        Sensor::Tension => stated.tension.is_some(),
-        Sensor::Swivel => stated.swivel.is_some(),
-        Sensor::Pose => stated.rotation.is_some(),
-        Sensor::Balance => true,
-    }
-}
 
 /// Doubts about stated accuracies.
 pub(super) fn warnings(sensors: &[SensorFit]) -> Vec<String> {

@@ -7,11 +7,12 @@ use crate::progress::unobserved;
 use nalgebra::DVector;
 
 use super::gauge::Gauge;
+use super::internal::Sensing;
 use super::question::Question;
-use super::vectors::Sensing;
 use crate::fit::{InputError, Settings};
 use crate::gauge_convention::GaugeConvention;
-use crate::objective::search;
+use crate::minimize::minimize;
+use crate::residual::Poseless;
 use cdpr_model::geometry::Pose;
 
 /// Steps of the motion that brings held parameters back to the file's values.
@@ -27,13 +28,13 @@ impl Question<'_> {
         let one = Settings { starts: 1, keeps_course: false, ..self.settings.clone() };
         let mut free = self.clone();
         free.hold_still(gauge);
-        let mut vectors = free.start(&self.model, &self.parameters, Some(near))?;
-        let units = free.units(free.scale(&self.parameters, &vectors.poses())?);
-        let found = search(&mut vectors, &self.model, &self.parameters, units, &one, &unobserved, None)?;
-        if !found.end().converged() {
+        let mut residual = free.start(&self.model, &self.parameters, Some(near))?;
+        let unknowns = free.unknowns(&self.model, &self.parameters, &one, &residual.poses())?;
+        let found = minimize(&mut residual, &unknowns, None, &unobserved)?;
+        if !found.end.converged() {
             return Ok(None);
         }
-        Ok(self.moved_back(gauge, found.end().values.clone(), &vectors.poses()))
+        Ok(self.moved_back(gauge, found.end.values, &residual.poses()))
     }
 
     /// Kept parameters after the motion of everything together that brings the held ones back to the file's values, where rows stay what they are.
@@ -66,7 +67,7 @@ impl Question<'_> {
         let model = self.model.with_parameters(&self.parameters, values)?;
         let here = self.rows(&model, &self.parameters, Some(poses)).ok()?;
         let lengths = here.lengths(&self.sensing);
-        let moves = Gauge::of(&model, &self.parameters, &here.stacked, &lengths).moves;
+        let moves = Gauge::of(&model, &self.parameters, &here.rows, &lengths).moves;
         *poses = here.poses;
         if moves.ncols() != gauge.held.len() {
             return None;

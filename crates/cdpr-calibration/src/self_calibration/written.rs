@@ -2,9 +2,11 @@
 
 use nalgebra::DVector;
 
-use super::vectors::{PoseVectors, Sensing};
+use super::internal::Sensing;
 use crate::fit::InputError;
-use crate::objective::{Sensor, Stacked, Vectors};
+use crate::residual::Residual;
+use crate::residual::rows::Rows;
+use crate::residual::sensors::Sensor;
 use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 use cdpr_model::robot::Parameter;
@@ -15,7 +17,7 @@ const UNDETERMINED: f64 = 1e-10;
 
 /// Rows at the values of a model, with the poses they were found at.
 pub(super) struct Written {
-    pub(super) stacked: Stacked,
+    pub(super) rows: Rows,
     pub(super) poses: Vec<Pose>,
     /// Share of each row's residual that its own pose takes up; empty where only lengths are rows.
     pub(super) leverages: Vec<f64>,
@@ -24,14 +26,14 @@ pub(super) struct Written {
 impl Written {
     /// Residuals of lengths, zeros at all other rows.
     pub(super) fn lengths(&self, sensing: &Sensing) -> DVector<f64> {
-        let mut lengths = DVector::zeros(self.stacked.residuals.len());
+        let mut lengths = DVector::zeros(self.rows.residuals.len());
         let m = match sensing {
-            Sensing::Lengths(_) => self.stacked.row_count(),
+            Sensing::Lengths(_) => self.rows.size(),
             Sensing::All(layout, _) => layout.places(Sensor::Length, 1).count(),
         };
-        let size = self.stacked.row_count();
+        let size = self.rows.size();
         for row in (0..self.poses.len()).flat_map(|sample| (0..m).map(move |row| sample * size + row)) {
-            lengths[row] = self.stacked.residuals[row];
+            lengths[row] = self.rows.residuals[row];
         }
         lengths
     }
@@ -39,7 +41,7 @@ impl Written {
     /// Shares of the rows' residuals that poses and parameters take up.
     pub(super) fn all_leverages(&self) -> Vec<f64> {
         let mut all = self.leverages.clone();
-        let Some(found) = svd(self.stacked.jacobian.clone(), true, false) else { return all };
+        let Some(found) = svd(self.rows.jacobian.clone(), true, false) else { return all };
         let largest = found.singular_values.amax();
         let directions = found.u.iter().flat_map(|u| u.column_iter()).zip(found.singular_values.iter());
         for (direction, _) in directions.filter(|(_, value)| **value > UNDETERMINED * largest) {
@@ -50,15 +52,12 @@ impl Written {
 }
 
 /// Rows at the values of a model.
-pub(super) fn stacked(
-    vectors: &mut PoseVectors<'_>,
+pub(super) fn rows_at(
+    residual: &mut dyn Residual,
     model: &Model,
     parameters: &[Parameter],
-) -> Result<Stacked, InputError> {
+) -> Result<Rows, InputError> {
     let values: Vec<f64> = parameters.iter().map(|parameter| parameter.value(model.robot())).collect();
-    let mut stacked = Stacked::new(vectors, parameters.len());
-    match vectors.write(&values, &mut stacked) {
-        true => Ok(stacked),
-        false => Err(InputError::NoPoses),
-    }
+    let mut rows = Rows::new(residual.layout(), parameters.len());
+    residual.write(&values, &mut rows).then_some(rows).ok_or(InputError::NoPoses)
 }

@@ -9,6 +9,7 @@ const ROWS: usize = 32;
 
 /// Upper triangular R with RᵀR = JᵀJ for all rows J so far, by Householder reflections; the signs of its rows are
 /// arbitrary.
+#[derive(Clone, Debug)]
 pub struct TriangularFactor {
     columns: usize,
     /// Row-major, rows rounded up to whole lanes; zeros below the diagonal.

@@ -4,11 +4,12 @@ use super::poses::Frames;
 use super::search::{End, find};
 use super::start;
 use crate::fit::Settings;
-use crate::fit::checks::{checked_parameters, length_residuals};
-use crate::fit::optimum::find as optimum;
+use crate::fit::checks::checked_parameters;
 use crate::loss::Loss;
 use crate::norms::median;
+use crate::problem::Problem;
 use crate::progress::unobserved;
+use crate::residual::length_errors::length_errors;
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::{Composition, FreeParameters, Model, RecordingParameter};
 use cdpr_model::robot::{ParameterKind, Robot};
@@ -92,10 +93,11 @@ fn in_frames(model: &Model, samples: &Samples, freed: &[RecordingParameter]) -> 
 fn misfit(model: &Model, samples: &Samples) -> Option<f64> {
     let (free, settings) = leaving_winches();
     let parameters = checked_parameters(model, samples, &free, &settings).ok()?;
-    let (optimum, _) = optimum(model, samples, &parameters, &settings, &unobserved).ok()?;
-    let fitted = optimum.calibrated(model).ok()?;
+    let mut problem = Problem::new(model, samples, &parameters, &settings).ok()?;
+    let optimum = problem.minimize(&unobserved).ok()?;
+    let fitted = problem.model_at(&optimum.end.values).ok()?;
     let root = |sample: usize| {
-        let residuals = length_residuals(&fitted, samples, sample);
+        let residuals = length_errors(&fitted, samples, sample);
         (residuals.iter().map(|residual| residual * residual).sum::<f64>() / residuals.len() as f64).sqrt()
     };
     let middle = median(&mut (0..samples.len()).map(root).collect::<Vec<f64>>());

@@ -1,0 +1,199 @@
+//! Residuals of one sample's sensors, with derivatives by parameters and by what is not known of the platform.
+
+use nalgebra::{DMatrix, DVector};
+
+use super::accuracies::{Sensor, Weights};
+use super::swivel::Swivel;
+use crate::recorded::Recorded;
+use crate::residual::Latent;
+use crate::residual::balance::noise::{Noise, UNITS};
+use crate::residual::balance::rows::{RowModel, SampleRows};
+use crate::residual::metric::by_turn;
+use cdpr_model::geometry::Twist;
+use cdpr_model::measurement::InternalSamples;
+use cdpr_model::model::Model;
+use cdpr_model::robot::Parameter;
+
+/// Which rows a sample has, in this order: lengths, tensions, equilibrium, swivels, and what is measured of its pose.
+#[derive(Clone, Debug)]
+pub(crate) struct SensorLayout {
+    pub(super) m: usize,
+    pub(super) n: usize,
+    /// Tensions are recorded and used.
+    pub(super) has_tensions: bool,
+    /// Tensions are unknowns in equilibrium with the load.
+    pub(super) balances: bool,
+    pub(super) has_swivels: bool,
+    /// Parts of poses are measured with an accuracy.
+    pub(super) has_poses: bool,
+}
+
+impl SensorLayout {
+    /// First row of a sensor's, and their number.
+    pub(super) fn rows(&self, sensor: Sensor) -> (usize, usize) {
+        let counts = [
+            (Sensor::Length, self.m),
+            (Sensor::Tension, if self.has_tensions { self.m } else { 0 }),
+            (Sensor::Balance, if self.balances { self.n } else { 0 }),
+            (Sensor::Swivel, if self.has_swivels { self.m } else { 0 }),
+            (Sensor::Pose, if self.has_poses { self.n } else { 0 }),
+        ];
+        let before = counts.iter().take_while(|(other, _)| *other != sensor).map(|(_, count)| count).sum();
+        let own = counts.iter().find(|(other, _)| *other == sensor).map_or(0, |(_, count)| *count);
+        (before, own)
+    }
+
+    pub(crate) fn size(&self) -> usize {
+        let (first, count) = self.rows(Sensor::Pose);
+        first + count
+    }
+}
+
+/// Measurements at hand, with what is unknown of each sample's platform.
+pub(super) struct SampleSensors<'a> {
+    pub(super) internal: &'a InternalSamples,
+    pub(super) layout: &'a SensorLayout,
+    pub(super) weights: &'a Weights,
+    /// Degrees of freedom of each sample's pose that are searched.
+    pub(super) directions: &'a [Vec<Twist>],
+}
+
+/// SensorRows of one sample in standard deviations.
+pub(super) struct SensorRows {
+    pub(super) residuals: DVector<f64>,
+    /// By the directions of the pose, then by the tensions.
+    pub(super) by_latent: DMatrix<f64>,
+}
+
+impl SampleSensors<'_> {
+    /// Unknowns of a sample.
+    pub(super) fn unknowns(&self, sample: usize) -> usize {
+        self.directions[sample].len() + if self.layout.balances { self.layout.m } else { 0 }
+    }
+
+    /// Residuals and derivatives at a pose with tensions, by rows of no parameters; `None` if a cable has no path.
+    pub(super) fn rows(&self, rows: &RowModel<'_>, sample: usize, at: &Latent) -> Option<SensorRows> {
+        let SensorLayout { m, n, balances, .. } = *self.layout;
+        let (model, directions) = (rows.model, &self.directions[sample]);
+        let recorded = Recorded::of(&self.internal.samples, sample);
+        let (mut plain, mut noise) = (vec![0.0; n + m], Noise::new(model));
+        rows.noise_at(&at.pose, &at.tensions, &UNITS, &mut noise, Some((recorded, &mut plain)));
+        let size = self.layout.size();
+        let mut all =
+            SensorRows { residuals: DVector::zeros(size), by_latent: DMatrix::zeros(size, self.unknowns(sample)) };
+        let places = places(model, directions);
+        let (balance, _) = self.layout.rows(Sensor::Balance);
+        // of the rows of elastic models the wrench comes first
+        for row in 0..n + m {
+            let (to, weight) = match row < n {
+                true if balances => (balance + row, self.weights.balance(model, row)),
+                true => continue,
+                false => (row - n, self.weights.of(Sensor::Length)),
+            };
+            all.residuals[to] = weight * plain[row];
+            for (column, place) in places.iter().enumerate() {
+                all.by_latent[(to, column)] = weight * noise.by_pose[row][*place];
+            }
+            if balances {
+                for (cable, by_tension) in noise.by_tension.iter().enumerate() {
+                    let entry = match row < n {
+                        true => by_tension[row],
+                        false if row - n == cable => by_tension[n],
+                        false => 0.0,
+                    };
+                    all.by_latent[(to, directions.len() + cable)] = weight * entry;
+                }
+            }
+        }
+        self.write_tensions(sample, at, &mut all);
+        self.write_swivels(model, sample, at, &mut all)?;
+        self.write_pose(model, sample, at, &mut all);
+        all.residuals.iter().all(|number| number.is_finite()).then_some(all)
+    }
+
+    fn write_tensions(&self, sample: usize, at: &Latent, all: &mut SensorRows) {
+        let (first, count) = self.layout.rows(Sensor::Tension);
+        let weight = self.weights.of(Sensor::Tension);
+        let recorded = Recorded::of(&self.internal.samples, sample).tensions();
+        for cable in 0..count {
+            all.residuals[first + cable] = weight * (at.tensions[cable] - recorded[cable]);
+            all.by_latent[(first + cable, self.directions[sample].len() + cable)] = weight;
+        }
+    }
+
+    fn write_swivels(&self, model: &Model, sample: usize, at: &Latent, all: &mut SensorRows) -> Option<()> {
+        let (first, count) = self.layout.rows(Sensor::Swivel);
+        let Some(angles) = self.internal.swivels.as_ref().filter(|_| count > 0) else { return Some(()) };
+        let weight = self.weights.of(Sensor::Swivel);
+        for cable in 0..count {
+            let swivel = Swivel::of(model, cable, &at.pose)?;
+            all.residuals[first + cable] = weight * swivel.minus(angles[sample * count + cable]);
+            for (column, twist) in self.directions[sample].iter().enumerate() {
+                all.by_latent[(first + cable, column)] = weight * swivel.by_twist(twist);
+            }
+        }
+        Some(())
+    }
+
+    fn write_pose(&self, model: &Model, sample: usize, at: &Latent, all: &mut SensorRows) {
+        let (first, count) = self.layout.rows(Sensor::Pose);
+        if count == 0 {
+            return;
+        }
+        let error = self.internal.samples.poses[sample].displacement_to(&at.pose);
+        let by_turn = by_turn(&error);
+        let known = &self.internal.known[sample];
+        for (row, (along, is_known)) in model.twist_basis().iter().zip(known).enumerate() {
+            let weight = self.weights.along(along, known);
+            if !is_known || weight == 0.0 {
+                continue;
+            }
+            all.residuals[first + row] = weight * along.dot(&error);
+            for (column, twist) in self.directions[sample].iter().enumerate() {
+                let mut moved = *twist;
+                let turned = by_turn * moved.fixed_rows::<3>(3);
+                moved.fixed_rows_mut::<3>(3).copy_from(&turned);
+                all.by_latent[(first + row, column)] = weight * along.dot(&moved);
+            }
+        }
+    }
+
+    /// Derivatives by the parameters, a column each.
+    pub(super) fn by_parameters(
+        &self,
+        rows: &RowModel<'_>,
+        parameters: &[Parameter],
+        sample: usize,
+        at: &Latent,
+    ) -> Option<DMatrix<f64>> {
+        let SensorLayout { m, n, balances, .. } = *self.layout;
+        let model = rows.model;
+        let mut plain = SampleRows::new(model, parameters.len());
+        rows.write(&at.pose, &at.tensions, Recorded::of(&self.internal.samples, sample), &mut plain);
+        let mut all = DMatrix::zeros(self.layout.size(), parameters.len());
+        let (balance, _) = self.layout.rows(Sensor::Balance);
+        for (row, entries) in plain.derivatives().enumerate() {
+            let (to, weight) = match row < n {
+                true if balances => (balance + row, self.weights.balance(model, row)),
+                true => continue,
+                false => (row - n, self.weights.of(Sensor::Length)),
+            };
+            entries.iter().enumerate().for_each(|(column, entry)| all[(to, column)] = weight * entry);
+        }
+        let (first, count) = self.layout.rows(Sensor::Swivel);
+        let weight = self.weights.of(Sensor::Swivel);
+        for cable in 0..count.min(m) {
+            let swivel = Swivel::of(model, cable, &at.pose)?;
+            for (column, parameter) in parameters.iter().enumerate().filter(|(_, own)| own.cable == cable) {
+                all[(first + cable, column)] = weight * swivel.by_parameter(model, parameter);
+            }
+        }
+        Some(all)
+    }
+}
+
+/// Places of directions among those of the pattern.
+fn places(model: &Model, directions: &[Twist]) -> Vec<usize> {
+    let basis = model.twist_basis();
+    directions.iter().filter_map(|twist| basis.iter().position(|own| own == twist)).collect()
+}
