@@ -5,8 +5,9 @@ use std::str::FromStr;
 
 use thiserror::Error;
 
+use crate::fit::Prior;
 use cdpr_model::cable::elasticity::linear_elasticity;
-use cdpr_model::model::{Composition, CompositionError, FreeParameters, ParameterError, SpanEffect};
+use cdpr_model::model::{Composition, CompositionError, FreeParameters, Model, ParameterError, SpanEffect};
 use cdpr_model::robot::{ParameterKind, Robot};
 
 /// A composition of effects with the parameters that identification frees.
@@ -83,8 +84,33 @@ pub fn parse_list(text: &str) -> Result<Vec<Candidate>, CandidateError> {
 pub struct Ladder {
     /// The data have recorded tensions: elastic models join where the robot's file states stiffness.
     pub with_tensions: bool,
-    /// Platform anchors have a prior: the largest rigid and the elastic models may free them.
-    pub with_platform_anchors: bool,
+    /// Platform anchors that may be free.
+    pub platform_anchors: PlatformAnchors,
+}
+
+/// Rungs of the default ladder that free platform anchors.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum PlatformAnchors {
+    /// None.
+    #[default]
+    Held,
+    /// The largest elastic models, with a prior that is assumed ([`assumed_prior`]).
+    Elastic,
+    /// The largest rigid and elastic models, with a prior that is given.
+    Free,
+}
+
+/// Share of the platform's radius by which its anchors are assumed to lie off the file, and the least and most of it (m).
+const ASSUMED_SHARE: f64 = 0.1;
+const ASSUMED_RANGE: (f64, f64) = (5e-3, 0.1);
+
+/// Prior of platform anchors that the default ladder assumes where none is given: a tenth of the platform's radius, from 5 to 100 mm; `None` for platforms
+/// that do not turn, whose anchors repeat those of the frame.
+pub fn assumed_prior(model: &Model) -> Option<Prior> {
+    let sigma = (ASSUMED_SHARE * model.platform_radius()).clamp(ASSUMED_RANGE.0, ASSUMED_RANGE.1);
+    let turns = model.robot().motion_pattern.has_rotation();
+    turns.then_some(Prior { kind: ParameterKind::PlatformAnchor, sigma })
 }
 
 /// The default ladder for a robot, from simple to complex: as given, offsets, offsets and scales, anchors, anchors with
@@ -92,9 +118,8 @@ pub struct Ladder {
 /// rung also with pulleys where the robot's file describes them, and every elastic one with sag where it states the weight of
 /// the cables.
 ///
-/// Scales join no platform anchors: data hardly tell the two apart. Platform anchors stay out of it unless they have a prior
-/// ([`Ladder::with_platform_anchors`]): where the orientation varies little, they only repeat the frame
-/// anchors.
+/// Scales join no platform anchors: data hardly tell the two apart. Platform anchors join rungs as [`Ladder::platform_anchors`] says: where the
+/// orientation varies little, they only repeat the frame anchors, and a prior keeps them near the file.
 pub fn defaults(robot: &Robot, ladder: Ladder) -> Vec<Candidate> {
     use ParameterKind::{Compliance, FrameAnchor, LengthOffset, LengthScale, PlatformAnchor, PulleyRadius, Wrench};
     let has_pulleys =
@@ -121,10 +146,17 @@ pub fn defaults(robot: &Robot, ladder: Ladder) -> Vec<Candidate> {
         &[FrameAnchor, PlatformAnchor, LengthOffset, Compliance, Wrench],
     ];
     let candidate = |composition, free| Candidate { composition, free: FreeParameters::of(free) };
-    let needs_prior = |free: &[ParameterKind]| free.contains(&PlatformAnchor) && !ladder.with_platform_anchors;
+    let is_held = |free: &[ParameterKind], is_elastic: bool| {
+        let may_be_free = match ladder.platform_anchors {
+            PlatformAnchors::Held => false,
+            PlatformAnchors::Elastic => is_elastic,
+            PlatformAnchors::Free => true,
+        };
+        free.contains(&PlatformAnchor) && !may_be_free
+    };
     let mut rungs = Vec::new();
     for (standard, pulley) in rigid {
-        if needs_prior(standard) {
+        if is_held(standard, false) {
             continue;
         }
         rungs.push(candidate(Composition::STANDARD, standard));
@@ -132,7 +164,7 @@ pub fn defaults(robot: &Robot, ladder: Ladder) -> Vec<Candidate> {
     }
     if ladder.with_tensions && is_elastic {
         for free in elastic {
-            if needs_prior(free) {
+            if is_held(free, true) {
                 continue;
             }
             rungs.push(candidate(Composition::ELASTIC, free));
@@ -161,12 +193,33 @@ mod tests {
     #[test]
     fn platform_anchors_are_free_where_they_have_a_prior() {
         let robot = Robot::builtin("cogiro").unwrap();
-        let rungs = |with_platform_anchors| defaults(&robot, Ladder { with_tensions: false, with_platform_anchors });
-        let frees = |candidate: &&Candidate| candidate.free.names(ParameterKind::PlatformAnchor);
-        assert_eq!(rungs(false).iter().filter(frees).count(), 0);
-        let names: Vec<String> = rungs(true).iter().filter(frees).map(ToString::to_string).collect();
-        assert!(names.contains(&"standard:frame-anchor,platform-anchor".to_owned()), "{names:?}");
-        assert_eq!(rungs(true).len(), rungs(false).len() + names.len());
+        let rungs = |platform_anchors| defaults(&robot, Ladder { with_tensions: true, platform_anchors });
+        let freeing = |platform_anchors| -> Vec<String> {
+            let rungs = rungs(platform_anchors).into_iter();
+            let frees = rungs.filter(|candidate| candidate.free.names(ParameterKind::PlatformAnchor));
+            frees.map(|candidate| candidate.to_string()).collect()
+        };
+        assert!(freeing(PlatformAnchors::Held).is_empty());
+        let (assumed, given) = (freeing(PlatformAnchors::Elastic), freeing(PlatformAnchors::Free));
+        assert!(given.contains(&"standard:frame-anchor,platform-anchor".to_owned()), "{given:?}");
+        assert!(!assumed.is_empty() && assumed.iter().all(|name| name.contains("elastic")), "{assumed:?}");
+        assert_eq!(rungs(PlatformAnchors::Free).len(), rungs(PlatformAnchors::Held).len() + given.len());
+    }
+
+    /// A tenth of the radius, from 5 to 100 mm; a point has no anchors on a platform.
+    #[test]
+    fn platform_anchors_are_assumed_within_a_tenth_of_the_radius() {
+        let prior = |scale: f64, name: &str| {
+            let mut robot = Robot::builtin(name).unwrap();
+            robot.cables.iter_mut().for_each(|cable| cable.platform_anchor *= scale);
+            let model = Model::new(robot, Composition::STANDARD).unwrap();
+            (model.platform_radius(), assumed_prior(&model).map(|prior| prior.sigma))
+        };
+        let (radius, sigma) = prior(0.1, "cogiro");
+        assert_eq!(sigma, Some((0.1 * radius).max(5e-3)), "{radius}");
+        assert_eq!(prior(1e-3, "cogiro").1, Some(5e-3));
+        assert_eq!(prior(100.0, "cogiro").1, Some(0.1));
+        assert_eq!(prior(1.0, "planar-example").1, None);
     }
 
     #[test]

@@ -7,6 +7,7 @@ mod judgement;
 mod preferences;
 mod rating;
 mod reason;
+mod recording;
 mod requirement;
 mod settings;
 mod untried;
@@ -31,7 +32,7 @@ pub use without_poses::select_without_poses;
 
 use super::candidate::Candidate;
 use super::clock_test::clock_warning;
-use super::fit::{self, frames_that_fit};
+use super::fit::{self, Prior, frames_that_fit};
 use super::plausibility::distrust;
 use cdpr_model::measurement::{Fold, Samples, SplitError};
 use cdpr_model::model::{Composition, RecordingParameter};
@@ -52,8 +53,11 @@ pub struct Selection {
     pub rating: Rating,
     /// Effects and parameters that no candidate has, with the reason where robot file or data forbid them.
     pub untried: Vec<String>,
-    /// Frames of tracker and marker that were freed in every candidate, since the poses fit the robot no other way, in words.
+    /// Frames of tracker and marker and the offset of the clocks that were freed in every candidate, since the data fit the robot no other way, in
+    /// words.
     pub frames: Option<String>,
+    /// Priors that nobody stated.
+    pub assumed: Vec<Prior>,
 }
 
 impl Selection {
@@ -78,7 +82,7 @@ impl Selection {
 
     fn of(candidates: Vec<JudgedCandidate>, [best, recommended]: [Option<usize>; 2], reason: String) -> Self {
         let rating = Rating::default();
-        Self { candidates, best, recommended, reason, rating, untried: Vec::new(), frames: None }
+        Self { candidates, best, recommended, reason, rating, untried: Vec::new(), frames: None, assumed: Vec::new() }
     }
 }
 
@@ -119,6 +123,9 @@ impl InputError {
 /// Identifies every candidate on the training part of each fold, judges it on the validation part, and recommends the
 /// first (simplest) one whose mean criterion lies within one standard error of the best and that meets the requirements.
 ///
+/// Samples are outliers where the richest candidate that fits has them as such: what a simpler model does not explain is its misfit, not dirt.
+/// Frames of tracker and marker and the offset of the clocks are freed in every candidate where the richest one fits the data much better with them, if the settings try it.
+///
 /// Validation samples that no candidate explains, beyond 8 robust standard deviations for all of them, are set aside for all alike unless
 /// the loss is squared: an outlier in the data is nobody's error.
 ///
@@ -139,22 +146,18 @@ pub fn select(
         return Err(InputError::NoValidation);
     }
     let (candidates, frames) = in_needed_frames(robot, candidates, samples, folds, settings);
-    let candidates = &candidates[..];
     let regions = judge::regions(samples, folds, settings.regions)?;
     let progress = &SharedProgress::of(progress);
     let problem = judge::Problem { robot, samples, folds, regions: &regions, settings, progress };
-    let judge_one = |candidate: &Candidate| {
-        let outcome = problem.judge(candidate);
-        JudgedCandidate { name: candidate.to_string(), candidate: candidate.clone(), outcome }
-    };
-    let mut judged = map_all(candidates, judge_one);
-    if progress.is_stopped() {
-        return Err(InputError::Stopped);
+    let mut richest = problem.richest(&candidates);
+    let (mut candidates, mut frames) = (candidates, frames);
+    let asked = richest.as_ref().filter(|_| settings.tries_recording);
+    if let Some(needed) = asked.and_then(|richest| recording::needed(&problem, richest, &candidates)) {
+        candidates = with_recording(&candidates, &needed.freed);
+        richest = Some(needed.richest);
+        frames = Some(frames.map_or(needed.words.clone(), |before| format!("{before}; {}", needed.words)));
     }
-    if let Some(error) = InputError::where_all_failed(&judged) {
-        return Err(error);
-    }
-    comparison::compare(&mut judged, settings);
+    let mut judged = judge_all(&problem, &candidates, richest.as_ref())?;
     for judgement in judged.iter_mut().filter_map(|candidate| candidate.outcome.as_mut().ok()) {
         judgement.distrust = distrust(robot, &samples.sigmas, &judgement.validation);
     }
@@ -164,9 +167,38 @@ pub fn select(
     selection.rating =
         rating::rate(preferences::Outcome { candidates: &selection.candidates, best, recommended }, settings);
     selection.test_clock(samples, &settings.fit);
-    selection.untried = untried::untried(robot, candidates, samples.tensions.is_some());
+    selection.untried = untried::untried(robot, &candidates, samples.tensions.is_some());
     selection.frames = frames;
+    selection.assumed.clone_from(&settings.assumed);
     Ok(selection)
+}
+
+/// Judges all candidates and compares them; outliers are those of the richest one that fits.
+fn judge_all(
+    problem: &judge::Problem<'_>,
+    candidates: &[Candidate],
+    richest: Option<&judge::Richest>,
+) -> Result<Vec<JudgedCandidate>, InputError> {
+    let judge_one = |place: usize| {
+        let candidate = &candidates[place];
+        let outcome = problem.judge(candidate, place, richest);
+        JudgedCandidate { name: candidate.to_string(), candidate: candidate.clone(), outcome }
+    };
+    let mut judged = map_all(candidates.len(), judge_one);
+    if problem.progress.is_stopped() {
+        return Err(InputError::Stopped);
+    }
+    if let Some(error) = InputError::where_all_failed(&judged) {
+        return Err(error);
+    }
+    comparison::compare(&mut judged, problem.settings);
+    Ok(judged)
+}
+
+/// The candidates with quantities of the recording free.
+fn with_recording(candidates: &[Candidate], freed: &[RecordingParameter]) -> Vec<Candidate> {
+    let with = |candidate: &Candidate| Candidate { free: candidate.free.with_recording(freed), ..candidate.clone() };
+    candidates.iter().map(with).collect()
 }
 
 /// The candidates with frames of tracker and marker free where the poses fit the robot in no other way and none names them, and the words
@@ -188,10 +220,8 @@ fn in_needed_frames(
         false => frames_that_fit(robot, &train, &settings.fit.hold),
     };
     let Some((freed, words)) = needed else { return (candidates.to_vec(), None) };
-    let with_frames =
-        |candidate: &Candidate| Candidate { free: candidate.free.with_recording(&freed), ..candidate.clone() };
     let words = format!("{words}: free in every candidate, and the calibrated robot stays in the frame of its file");
-    (candidates.iter().map(with_frames).collect(), Some(words))
+    (with_recording(candidates, &freed), Some(words))
 }
 
 /// Fits that [`select`] makes: one of each candidate and fold, one of all samples where there are several folds, and one of each region
@@ -202,14 +232,14 @@ pub fn fit_count(candidates: &[Candidate], folds: &[Fold], settings: &Settings) 
 }
 
 #[cfg(feature = "parallel")]
-fn map_all<T: Send>(candidates: &[Candidate], work: impl Fn(&Candidate) -> T + Sync + Send) -> Vec<T> {
+fn map_all<T: Send>(count: usize, work: impl Fn(usize) -> T + Sync + Send) -> Vec<T> {
     use rayon::prelude::*;
-    candidates.par_iter().map(work).collect()
+    (0..count).into_par_iter().map(work).collect()
 }
 
 #[cfg(not(feature = "parallel"))]
-fn map_all<T>(candidates: &[Candidate], work: impl Fn(&Candidate) -> T) -> Vec<T> {
-    candidates.iter().map(work).collect()
+fn map_all<T>(count: usize, work: impl Fn(usize) -> T) -> Vec<T> {
+    (0..count).map(work).collect()
 }
 
 fn recommend(candidates: Vec<JudgedCandidate>, criterion: SelectionCriterion) -> Selection {

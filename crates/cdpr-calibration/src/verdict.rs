@@ -47,6 +47,8 @@ pub enum DoubtKind {
     Starts,
     /// Parameters at a bound.
     Bound,
+    /// Parameters that lie farther from the file than an assumed prior lets expect.
+    Prior,
     /// Parameters that the data hold weakly.
     WeakDirection,
     /// Cables whose stiffness the data leave open.
@@ -75,6 +77,7 @@ impl DoubtKind {
             | Self::PartlyCompared
             | Self::Starts
             | Self::Bound
+            | Self::Prior
             | Self::WeakDirection
             | Self::UnknownStiffness
             | Self::WorseThanGiven

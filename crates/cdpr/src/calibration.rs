@@ -14,7 +14,9 @@ pub mod candidate {
     //! Candidates of a choice.
 
     #[doc(inline)]
-    pub use cdpr_calibration::candidate::{Candidate, CandidateError, Ladder, defaults};
+    pub use cdpr_calibration::candidate::{
+        Candidate, CandidateError, Ladder, PlatformAnchors, assumed_prior, defaults,
+    };
 }
 
 pub mod compensation {

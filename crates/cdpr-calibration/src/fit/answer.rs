@@ -123,6 +123,13 @@ impl Fit {
         self.outlier_warning = outliers::warning(&self.outliers, self.samples, self.loss);
     }
 
+    /// Keeps those outliers that another fit to the same samples has as well: what this model alone does not explain is its misfit.
+    pub(crate) fn keep_outliers(&mut self, other: &Self) {
+        let is_other = |sample: usize| other.outliers.iter().any(|outlier| outlier.sample == sample);
+        self.outliers.retain(|outlier| is_other(outlier.sample));
+        self.outlier_warning = outliers::warning(&self.outliers, self.samples, self.loss);
+    }
+
     /// States the values of the robot as given: the starts are those of one that may have been completed, with a wrench for instance.
     pub(crate) fn tell_nominal_values(&mut self, model: &Model) {
         self.parameters.iter_mut().for_each(|estimate| estimate.nominal = estimate.parameter.get(model.robot()));

@@ -83,7 +83,7 @@ fn squares(residual: &mut dyn Residual, unknowns: &Unknowns<'_>, mut found: Opti
             weighing.settle(&mut found.end, unknowns)?;
         }
         // without priors the scale of the noise moves no parameter
-        if !is_absolute && !unknowns.settings.priors.is_empty() {
+        if !is_absolute && unknowns.has_priors() {
             agree_with_noise(residual, unknowns, &mut found.end)?;
         }
     }

@@ -48,7 +48,7 @@ fn minimise(
 ) -> Result<(End, Norms), InputError> {
     let mut scale = norms.deviation;
     // a prior needs the scale of the noise
-    let is_scaled = !norms.is_absolute() && !unknowns.settings.priors.is_empty();
+    let is_scaled = !norms.is_absolute() && unknowns.has_priors();
     for _ in 0..RESCALINGS {
         if let Some(weighing) = residual.weighing().filter(|_| is_scaled) {
             weighing.scale_noise(scale);

@@ -84,6 +84,11 @@ impl<'a> Unknowns<'a> {
         self.parameters.iter().enumerate().filter_map(ridge)
     }
 
+    /// True where a parameter has a prior.
+    pub(crate) fn has_priors(&self) -> bool {
+        self.ridges().next().is_some()
+    }
+
     /// Σ ((p − p_start)/σ_prior)².
     pub(crate) fn prior_cost(&self, values: &[f64]) -> f64 {
         self.ridges().map(|ridge| ridge.cost(values)).sum()

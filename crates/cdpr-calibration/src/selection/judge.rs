@@ -5,7 +5,7 @@ use super::{CandidateFailure, Judgement};
 use crate::candidate::Candidate;
 use crate::cross_validation::{held_out_errors, reported_part};
 use crate::evaluation::{Evaluation, evaluate_fitted};
-use crate::fit::{self, Fit, fit_observed};
+use crate::fit::{self, Fit, Status, fit_observed};
 use crate::loss::Loss;
 use crate::progress::SharedProgress;
 use cdpr_model::measurement::{Fold, Samples, Split, SplitError};
@@ -35,13 +35,63 @@ pub(super) fn regions(samples: &Samples, folds: &[Fold], count: usize) -> Result
     Ok(regions.into_iter().map(region).collect())
 }
 
+/// Fit of the richest candidate that fits, to the part that is reported.
+pub(super) struct Richest {
+    pub(super) place: usize,
+    pub(super) fit: Fit,
+}
+
+impl Richest {
+    /// Loss of the other candidates where it is chosen by the data: squares if no sample is an outlier.
+    fn loss(&self, asked: Loss) -> Loss {
+        if asked == Loss::Auto && self.fit.outliers.is_empty() { Loss::Squared } else { asked }
+    }
+}
+
 impl Problem<'_> {
-    pub(super) fn judge(&self, candidate: &Candidate) -> Result<Judgement, CandidateFailure> {
+    /// The candidate with the most parameters whose fit finds an optimum with a forward problem, and that fit; `None` if none does.
+    pub(super) fn richest(&self, candidates: &[Candidate]) -> Option<Richest> {
+        let part = reported_part(self.samples, self.folds);
+        let model = |candidate: &Candidate| Model::new(self.robot.clone(), candidate.composition).ok();
+        let count = |candidate: &Candidate| {
+            candidate.free.parameters(&model(candidate)?, &self.settings.fit.hold).ok().map(|all| all.len())
+        };
+        let counted = candidates.iter().enumerate().filter_map(|(place, candidate)| Some((count(candidate)?, place)));
+        let mut order: Vec<(usize, usize)> = counted.collect();
+        order.sort_by_key(|&(count, place)| (std::cmp::Reverse(count), place));
+        order.into_iter().find_map(|(_, place)| {
+            let candidate = &candidates[place];
+            let fit = self.fit_silently(&model(candidate)?, candidate, (&part, self.settings.fit.loss)).ok()?;
+            matches!(fit.status, Status::Converged | Status::NotIdentifiable).then_some(Richest { place, fit })
+        })
+    }
+
+    /// Judges the candidate at a place of the list; `richest` tells which samples are outliers.
+    pub(super) fn judge(
+        &self,
+        candidate: &Candidate,
+        place: usize,
+        richest: Option<&Richest>,
+    ) -> Result<Judgement, CandidateFailure> {
         let Self { samples, folds, .. } = *self;
         let model = Model::new(self.robot.clone(), candidate.composition)?;
         // the loss is chosen once, by all data of the reported fit
         let part = reported_part(samples, folds);
-        let mut reported = self.fit_to(&model, candidate, (&part, self.settings.fit.loss))?;
+        let asked = self.settings.fit.loss;
+        let mut reported = match richest {
+            Some(own) if own.place == place => {
+                self.progress.report().map_err(fit::InputError::from)?;
+                own.fit.clone()
+            }
+            Some(other) => {
+                let mut fit = self.fit_to(&model, candidate, (&part, other.loss(asked)))?;
+                if asked != Loss::Squared {
+                    fit.keep_outliers(&other.fit);
+                }
+                fit
+            }
+            None => self.fit_to(&model, candidate, (&part, asked))?,
+        };
         let train = samples.subset(&part);
         let train = reported.as_fitted(&train).subset(&reported.trusted_samples(train.len()));
         let train = evaluate_fitted(&reported.model, &train)?.blocks();
@@ -67,11 +117,21 @@ impl Problem<'_> {
         candidate: &Candidate,
         (part, loss): (&[usize], Loss),
     ) -> Result<Fit, fit::InputError> {
-        let settings = fit::Settings { loss, ..self.settings.fit.clone() };
-        let silent = || self.progress.silent();
-        let fitted = fit_observed(model, &self.samples.subset(part), &candidate.free, &settings, &silent);
+        let fitted = self.fit_silently(model, candidate, (part, loss));
         self.progress.report()?;
         fitted
+    }
+
+    /// A fit that is no step of the work that is reported.
+    pub(super) fn fit_silently(
+        &self,
+        model: &Model,
+        candidate: &Candidate,
+        (part, loss): (&[usize], Loss),
+    ) -> Result<Fit, fit::InputError> {
+        let settings = fit::Settings { loss, ..self.settings.fit.clone() };
+        let silent = || self.progress.silent();
+        fit_observed(model, &self.samples.subset(part), &candidate.free, &settings, &silent)
     }
 
     /// Errors on the regions left out besides; `None` without any.

@@ -1,7 +1,7 @@
 //! How candidates are compared.
 
 use super::{Requirement, SelectionCriterion};
-use crate::fit;
+use crate::fit::{self, Prior};
 
 /// How candidates are compared.
 #[derive(Clone, Debug, Default)]
@@ -14,6 +14,11 @@ pub struct Settings {
     pub fit: fit::Settings,
     /// Seed of the bootstrap.
     pub seed: u64,
+    /// Priors among those of the fits that nobody stated: told where the recommended candidate relies on them.
+    pub assumed: Vec<Prior>,
+    /// Whether frames of tracker and marker and the offset of the clocks are tried in the richest candidate, and freed in all where the data ask
+    /// for them; frames without which poses fit the robot nowhere are freed in any case.
+    pub tries_recording: bool,
     /// Regions of the workspace that are left out in turn besides, for the rating; 0 for none.
     pub regions: usize,
 }

@@ -4,7 +4,7 @@ use serde::{Serialize, Serializer};
 
 use super::{Judgement, Selection, worse};
 use crate::evaluation::ErrorBlocks;
-use crate::fit::Fit;
+use crate::fit::{Estimate, Fit, Prior};
 use crate::outliers::set_aside_warning;
 use crate::plausibility::Distrust;
 use crate::verdict::{Doubt, DoubtKind, Verdict};
@@ -110,9 +110,44 @@ impl Selection {
         });
         let mut of_data = of_data.clone();
         of_data.doubt(DoubtKind::Frames, self.frames.clone());
+        for prior in &self.assumed {
+            of_data.doubt(DoubtKind::Prior, beyond(prior, &judgement.fit));
+        }
         of_data.remarks.extend(unanswered(judgement));
+        of_data.remarks.extend(self.assumed.iter().filter_map(|prior| assumption(prior, &judgement.fit)));
         judgement.fit.gathered(&judgement.distrust, today, of_comparison(judgement, samples), &of_data)
     }
+}
+
+/// A prior that nobody stated, where parameters of a fit have it.
+fn assumption(prior: &Prior, fit: &Fit) -> Option<String> {
+    let has_it = fit.parameters.iter().any(|estimate| estimate.parameter.kind == prior.kind);
+    let (kind, unit) = (prior.kind, prior.kind.unit());
+    has_it.then(|| {
+        format!(
+            "assumed: the {kind} parameters lie around the file's values with a standard deviation of {:.3} {unit} (a tenth of the platform's radius, 5 to \
+             100 mm); a prior of your own takes its place",
+            prior.sigma
+        )
+    })
+}
+
+/// Standard deviations of an assumed prior that a parameter may lie off the file without a word.
+const FAR: f64 = 3.0;
+
+/// Parameters that lie farther from the file than an assumed prior lets expect, in words; `None` without any.
+fn beyond(prior: &Prior, fit: &Fit) -> Option<String> {
+    let of_kind = fit.parameters.iter().filter(|estimate| estimate.parameter.kind == prior.kind);
+    let far: Vec<&Estimate> = of_kind.filter(|estimate| estimate.change.abs() > FAR * prior.sigma).collect();
+    let farthest = far.iter().max_by(|a, b| a.change.abs().total_cmp(&b.change.abs()))?;
+    let (count, verb) = (far.len(), if far.len() == 1 { "parameter lies" } else { "parameters lie" });
+    Some(format!(
+        "{count} {} {verb} more than {FAR} standard deviations of the assumed prior from the file, {} by {:.1}: the file is farther off than assumed, or \
+         the model lacks something",
+        prior.kind,
+        farthest.name,
+        (farthest.change / prior.sigma).abs()
+    ))
 }
 
 /// Samples that no candidate explains, and those that not all answer.

@@ -38,7 +38,8 @@ pub fn select_without_poses(
     let fit = fit::Settings { starts: settings.fit.starts.max(STARTS), ..settings.fit.clone() };
     let progress = &SharedProgress::of(progress);
     let problem = Problem { robot, internal, folds, settings: &fit, progress };
-    let outcomes = map_all(candidates, |candidate| (candidate.clone(), problem.judge(candidate)));
+    let judge_one = |place: usize| (candidates[place].clone(), problem.judge(&candidates[place]));
+    let outcomes = map_all(candidates.len(), judge_one);
     if progress.is_stopped() {
         return Err(InputError::Stopped);
     }

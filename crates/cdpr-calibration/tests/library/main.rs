@@ -12,6 +12,7 @@ mod dense;
 mod support;
 
 mod coverage;
+mod default_ladder;
 mod elastostatic_oracle;
 mod gtcable;
 mod identification_oracle;

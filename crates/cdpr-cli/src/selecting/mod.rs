@@ -5,14 +5,14 @@ mod objectives;
 
 use std::time::Instant;
 
-use cdpr_calibration::candidate::{self, Candidate, CandidateError, Ladder};
+use cdpr_calibration::candidate::{self, Candidate, CandidateError, Ladder, PlatformAnchors};
 use cdpr_calibration::fit::{self, Prior};
 use cdpr_calibration::selection::{
     JudgedCandidate, Requirement, SelectionCriterion, Settings, fit_count, select, select_without_poses,
 };
 use cdpr_calibration::{Loss, Objective};
 use cdpr_model::measurement::{Samples, Split};
-use cdpr_model::model::FreeParameters;
+use cdpr_model::model::{Composition, FreeParameters, Model};
 use cdpr_model::reading::Keyword;
 use cdpr_model::robot::ParameterKind;
 use cdpr_reports::comparison::{Comparison, ComparisonData};
@@ -118,18 +118,27 @@ impl SelectionArguments {
         )
     }
 
-    /// Which rungs the default ladder has.
-    fn ladder(&self, samples: &Samples) -> Ladder {
+    /// The candidates: those of the list, else the default ladder, with the prior that it assumes.
+    fn candidates(&self, data: &ComparisonData) -> (Vec<Candidate>, Option<Prior>) {
+        if let Some(list) = &self.candidates {
+            return (list.0.clone(), None);
+        }
         let has_prior = |prior: &Prior| prior.kind == ParameterKind::PlatformAnchor;
-        Ladder { with_tensions: samples.tensions.is_some(), with_platform_anchors: self.prior.iter().any(has_prior) }
+        let is_given = self.prior.iter().any(has_prior);
+        let model = Model::new(data.robot.clone(), Composition::STANDARD).ok();
+        let with_tensions = data.samples.tensions.is_some();
+        let assumed = model.and_then(|model| candidate::assumed_prior(&model)).filter(|_| with_tensions && !is_given);
+        let platform_anchors = match assumed {
+            _ if is_given => PlatformAnchors::Free,
+            Some(_) => PlatformAnchors::Elastic,
+            None => PlatformAnchors::Held,
+        };
+        (candidate::defaults(&data.robot, Ladder { with_tensions, platform_anchors }), assumed)
     }
 
     /// Identifies and judges every candidate.
     pub(crate) fn compare(&self, mut data: ComparisonData) -> Result<Comparison, Failure> {
-        let candidates = match &self.candidates {
-            Some(list) => list.0.clone(),
-            None => candidate::defaults(&data.robot, self.ladder(&data.samples)),
-        };
+        let (candidates, assumed) = self.candidates(&data);
         let without = data.internal.as_ref().map_or(SelectionCriterion::Position, |_| SelectionCriterion::Length);
         let criterion = self.criterion.unwrap_or(without);
         if criterion == SelectionCriterion::Rotation && !data.robot.motion_pattern.has_rotation() {
@@ -146,7 +155,7 @@ impl SelectionArguments {
         }
         let fit = self.objective.of(fit::Settings {
             hold: self.hold.clone(),
-            priors: self.prior.clone(),
+            priors: self.prior.iter().chain(&assumed).copied().collect(),
             loss: self.loss,
             ..fit::Settings::default()
         });
@@ -156,6 +165,8 @@ impl SelectionArguments {
             fit,
             seed: self.seed,
             regions: self.regions.unwrap_or(0),
+            assumed: assumed.into_iter().collect(),
+            tries_recording: self.candidates.is_none(),
         };
         let progress = Progress::of(fit_count(&candidates, &data.folds, &settings), "comparing candidates");
         let start = Instant::now();

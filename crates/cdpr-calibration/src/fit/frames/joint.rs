@@ -10,6 +10,10 @@ use cdpr_model::measurement::Samples;
 use cdpr_model::model::{FreeParameters, Model, RecordingParameter};
 use cdpr_model::robot::Robot;
 
+/// Rounds of frames and clock at most, and the change of the clock that is none (s).
+const CLOCK_ROUNDS: u32 = 12;
+const SAME_CLOCK: f64 = 1e-6;
+
 /// The frames that are free and not held.
 pub(in crate::fit) fn freed(free: &FreeParameters, hold: &FreeParameters) -> Vec<RecordingParameter> {
     let is_free = |frame: &RecordingParameter| free.names_recording(*frame) && !hold.names_recording(*frame);
@@ -32,8 +36,11 @@ pub(in crate::fit) fn fit(
     let start = start::start(model, samples, &freed)?;
     let mut found = find(model, samples, &free, &freed, start, &AT_OPTIMUM, settings)?;
     let mut fit = plain(&found.frames.apply(samples), &free)?;
-    if fit.clock_offset.is_some() {
+    let mut before = f64::INFINITY;
+    for _ in 0..CLOCK_ROUNDS {
         // frames of poses that were late are those of the motion's mean
+        let Some(clock) = fit.clock_offset.filter(|clock| (clock.seconds - before).abs() > SAME_CLOCK) else { break };
+        before = clock.seconds;
         let on_one_clock = fit.as_fitted(samples);
         found = find(model, &on_one_clock, &free, &freed, found.frames, &AT_OPTIMUM, settings)?;
         fit = plain(&found.frames.apply(samples), &free)?;
