@@ -61,7 +61,7 @@ impl Problem<'_> {
         order.sort_by_key(|&(count, place)| (std::cmp::Reverse(count), place));
         order.into_iter().find_map(|(_, place)| {
             let candidate = &candidates[place];
-            let fit = self.fit_silently(&model(candidate)?, candidate, (&part, self.settings.fit.loss)).ok()?;
+            let fit = self.fit_silently(&model(candidate)?, candidate, &part, self.settings.fit.loss).ok()?;
             matches!(fit.status, Status::Converged | Status::NotIdentifiable).then_some(Richest { place, fit })
         })
     }
@@ -117,7 +117,7 @@ impl Problem<'_> {
         candidate: &Candidate,
         (part, loss): (&[usize], Loss),
     ) -> Result<Fit, fit::InputError> {
-        let fitted = self.fit_silently(model, candidate, (part, loss));
+        let fitted = self.fit_silently(model, candidate, part, loss);
         self.progress.report()?;
         fitted
     }
@@ -127,7 +127,8 @@ impl Problem<'_> {
         &self,
         model: &Model,
         candidate: &Candidate,
-        (part, loss): (&[usize], Loss),
+        part: &[usize],
+        loss: Loss,
     ) -> Result<Fit, fit::InputError> {
         let settings = fit::Settings { loss, ..self.settings.fit.clone() };
         let silent = || self.progress.silent();

@@ -119,7 +119,7 @@ impl Asked<'_> {
     fn trial(&self, freed: &[RecordingParameter], part: &[usize]) -> Option<Trial> {
         let Self { problem, candidate, model, loss, .. } = self;
         let candidate = Candidate { free: candidate.free.with_recording(freed), ..(*candidate).clone() };
-        self.rated(freed, problem.fit_silently(model, &candidate, (part, *loss)).ok()?, part)
+        self.rated(freed, problem.fit_silently(model, &candidate, part, *loss).ok()?, part)
     }
 
     fn rated(&self, freed: &[RecordingParameter], fit: Fit, part: &[usize]) -> Option<Trial> {
