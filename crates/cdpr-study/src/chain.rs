@@ -11,6 +11,7 @@ use thiserror::Error;
 
 use crate::Experiment;
 use crate::accuracy::Accuracy;
+use crate::force_tracking::ForceTracking;
 use cdpr_calibration::Loss;
 use cdpr_calibration::evaluation::{ErrorBlocks, EvaluationError, evaluate, evaluate_fitted};
 use cdpr_calibration::fit::{self, Fit, Prior, fit};
@@ -104,6 +105,9 @@ pub struct Chain {
     pub first_change_m: [f64; 2],
     /// The same between the first and the second identification (eq. 6.10).
     pub second_change_m: [f64; 2],
+    /// Force control by the identified elastostatic model compared with that by the nominal one, at the same poses;
+    /// `None` without these stages.
+    pub force_tracking: Option<ForceTracking>,
     /// Stages that were left out, with the reason.
     pub left_out: Vec<String>,
     /// The calibrated models: the kinematic one from the first record, and the elastostatic one if the study names one.
@@ -124,13 +128,7 @@ impl Experiment {
         [seed, second_seed]: [u64; 2],
     ) -> Result<Chain, ChainError> {
         self.refuse_map("the chain")?;
-        let mut chain = Chain {
-            steps: Vec::new(),
-            first_change_m: [f64::NAN; 2],
-            second_change_m: [f64::NAN; 2],
-            left_out: Vec::new(),
-            calibrated: Vec::new(),
-        };
+        let mut chain = Chain::before_all_stages();
         let without_tests = |commands: &[CommandedPose]| -> Vec<CommandedPose> {
             commands.iter().filter(|one| one.shortened.is_none()).cloned().collect()
         };
@@ -172,6 +170,17 @@ const SAME: f64 = 1e-9;
 type Title = [&'static str; 3];
 
 impl Chain {
+    fn before_all_stages() -> Self {
+        Self {
+            steps: Vec::new(),
+            first_change_m: [f64::NAN; 2],
+            second_change_m: [f64::NAN; 2],
+            force_tracking: None,
+            left_out: Vec::new(),
+            calibrated: Vec::new(),
+        }
+    }
+
     /// Adds a stage: errors with which a model predicts the poses of a record from its lengths.
     fn predicted(
         &mut self,
@@ -270,8 +279,12 @@ impl Chain {
         let fit = identified(model, "frame-anchor,platform-anchor,compliance,wrench", &record, vec![prior])?;
         let title = ["elastostatic-identified", "elastostatic model identified, predicted", "6.5"];
         self.predicted(title, &fit.model, &record, Some(&fit))?;
+        let before = nominal.with_control(model.clone());
+        let title = ["force-control-nominal", "force control by the nominal elastostatic model, driven", "6.5"];
+        self.driven(title, &before, level)?;
         let controlled = nominal.with_control(fit.model.clone());
-        self.driven(["force-control", "force control by it, driven", "6.5"], &controlled, level)?;
+        self.driven(["force-control", "force control by the identified one, driven", "6.5"], &controlled, level)?;
+        self.force_tracking = self.compared("force-control-nominal", "force-control");
         let edges = edges(&nominal.machine, &nominal.start, region);
         self.driven(
             ["force-control-edges", "force control on the edges of the larger region", "6.5"],
@@ -281,6 +294,12 @@ impl Chain {
         self.driven(["kinematic-edges", "identified kinematic controller there", "6.5"], driven, &edges)?;
         self.calibrated.push(fit.model);
         Ok(())
+    }
+
+    /// The errors of the tensions at two stages.
+    fn compared(&self, before: &str, after: &str) -> Option<ForceTracking> {
+        let error = |name: &str| self.steps.iter().find(|step| step.name == name)?.tension_mean_norm;
+        ForceTracking::of(error(before)?, error(after)?)
     }
 }
 

@@ -13,6 +13,7 @@ pub mod effects;
 mod error_code;
 mod experiment;
 pub mod field;
+pub mod force_tracking;
 mod objective_comparison;
 mod poorer;
 mod prediction;

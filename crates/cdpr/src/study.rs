@@ -47,6 +47,13 @@ pub mod field {
     pub use cdpr_study::field::{Field, Sample, Summary, field};
 }
 
+pub mod force_tracking {
+    //! Verdict on force control after an identification.
+
+    #[doc(inline)]
+    pub use cdpr_study::force_tracking::{ForceTracking, TrackingVerdict};
+}
+
 pub mod reachable {
     //! The reachable workspace (eq. 3.33).
 

@@ -28,6 +28,8 @@ Examples:
 /// Position and rotation errors compare the emerging with the commanded pose; length errors compare what the control model
 /// would send for the emerging pose with what it sent (eq. 6.6). With [prediction], another model is asked what emerges, and how
 /// far it is from the machine's pose and tensions. Sensor noise and tension tests of the study do not count.
+/// Force control that follows the commanded tensions worse than the control model by which the winches were set (offset_robot), or than
+/// that of --against, is a caution before all else (status converged-with-caution, exit code 0).
 /// The answer is negative (exit code 1) when a pose has no answer; tensions outside the limits are told, not judged.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
@@ -66,10 +68,11 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let prediction = study_file.predict(&poses).map_err(|error| study_file.refused(&error))?;
     let branches = study_file.accepted(study_file.branches(&poses, arguments.stroke))?;
     let initial_tensions = study_file.accepted(study_file.initial_tensions())?;
+    let force_tracking = study_file.force_tracking(&poses, &assessment);
     drop(progress);
     let prediction = prediction.map(|found| found.blocks());
     let difference = difference(&arguments, &study_file, (&poses, &assessment), output)?;
-    let found = Assessed { assessment, prediction, branches, initial_tensions, seed: arguments.seed };
+    let found = Assessed { assessment, prediction, branches, initial_tensions, force_tracking, seed: arguments.seed };
     let answer = AccuracyAnswer::new(&study_file, found).against(difference);
     answer.remarks().iter().for_each(|remark| output.remark(remark));
     output.answer(&answer)

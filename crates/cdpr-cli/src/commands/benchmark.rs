@@ -24,7 +24,8 @@ Examples:
 /// Compare robots and control models under the same rules: every built-in robot with every model that its file supports.
 ///
 /// Each robot is driven as its own machine, whose anchors and stiffnesses are off as those of built robots are, with the numbers of its file and
-/// after an identification. Errors are told in metres and by the diagonal of the poses, beside what is printed of real machines.
+/// after an identification. Errors are told in metres and by the diagonal of the poses, beside those that the robots'
+/// sources print of real machines.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {
@@ -54,10 +55,10 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let progress = Progress::spinner("driving robots");
     let found = benchmark(&robots, models, &BenchmarkRules { seed: arguments.seed, ..BenchmarkRules::default() });
     drop(progress);
-    let Some(out) = &arguments.out else { return output.answer(&BenchmarkAnswer::new(found, Vec::new())) };
+    let Some(out) = &arguments.out else { return output.answer(&BenchmarkAnswer::new(&robots, found, Vec::new())) };
     let _own = files::OwnFolder::make(out)?;
     let names = ["result.json", "result.csv", "report.html"];
-    let answer = BenchmarkAnswer::new(found, names.map(str::to_owned).to_vec());
+    let answer = BenchmarkAnswer::new(&robots, found, names.map(str::to_owned).to_vec());
     let page = answer.page(&crate::session::command_line(), env!("CARGO_PKG_VERSION"));
     let page = page.map_err(|error| Failure::unwritable("the page of the benchmark", &error))?;
     let (json, csv) = (output.file(&answer, "result.json")?, answer.csv());

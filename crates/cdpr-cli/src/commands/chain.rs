@@ -29,8 +29,9 @@ const NEXT_SEED: u64 = 2;
 /// Run the whole chain from a nominal controller to force control on one machine.
 ///
 /// Nominal controller, frame anchors identified, driven with them, identified again, constant orientation, nominal elastostatic model
-/// (`[prediction]` of the study), elastostatic model identified, and exact force control on the poses of the study and on the edges of a larger
-/// region. The answer lists the errors of every stage beside those that the study quotes from a publication (`[[published]]`).
+/// (`[prediction]` of the study), elastostatic model identified, and exact force control by both on the poses of the study and by the
+/// identified one on the edges of a larger region. Tensions that follow worse than before the identification are a caution before all else
+/// (status done-with-caution, exit code 0). The answer lists the errors of every stage beside those that the study quotes from a publication (`[[published]]`).
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {

@@ -224,6 +224,9 @@ fn robots_stand_beside_what_is_printed_of_real_machines() {
     assert_eq!(columns.len(), 1, "every row has as many cells: {columns:?}");
     let page = read("one", "report.html");
     assert!(page.contains("IPAnema, unladen") && page.contains("<svg") && page.contains("Rules"));
+    // a robot whose source prints no errors of a machine has nothing beside it
+    let alone = cdpr_in(folder.path(), "benchmark --robots planar-example --models standard");
+    assert!(!alone.stdout.contains("printed of real machines"), "{}", alone.stdout);
     let none = cdpr_in(folder.path(), "benchmark --robots planar-example --models pulley+catenary --format json");
     assert_eq!((none.exit_code, none.json()["status"].as_str()), (1, Some("nothing")), "{}", none.stdout);
 }

@@ -325,18 +325,21 @@ fn chapter_six_runs_as_one_study() {
     let steps = answer["steps"].as_array().unwrap();
     let step = |name: &str| steps.iter().find(|step| step["name"] == name).unwrap();
     let edges = step("force-control-edges");
-    // 0.94 mm and 199.6 N by hand, from another elastostatic record (see the library's test)
-    assert!((edges["position_mean_m"].as_f64().unwrap() / 0.939e-3 - 1.0).abs() < 0.05, "{edges}");
-    assert!((edges["tension_mean_norm_N"].as_f64().unwrap() / 199.6 - 1.0).abs() < 0.05, "{edges}");
+    // 0.939 mm and 199.6 N by hand, from the record of the printed anchors (see the library's test)
+    assert!((edges["position_mean_m"].as_f64().unwrap() / 0.924e-3 - 1.0).abs() < 0.01, "{edges}");
+    assert!((edges["tension_mean_norm_N"].as_f64().unwrap() / 200.0 - 1.0).abs() < 0.01, "{edges}");
+    assert_eq!((&answer["status"], &answer["force_tracking"]["verdict"]), (&"done".into(), &"better".into()));
+    assert_eq!(answer["force_tracking"]["after_mean_norm_N"], step("force-control")["tension_mean_norm_N"]);
     assert!((step("reference")["printed"]["position_mean_m"].as_f64().unwrap() - 0.0398).abs() < 1e-12);
     assert_eq!(answer["region_m"][2], serde_json::json!([0.75, 2.75]));
     let page = std::fs::read_to_string(folder.path().join("chain.html")).unwrap();
     assert!(page.contains("37.2 (39.8)") && !page.contains("src=\"http"), "printed numbers stand beside ours");
     assert!(page.contains("published: 39.8</title>") && page.contains("orientation, °"));
-    assert_eq!(page.matches("here: ").count(), 12 + 10 + 4, "errors of position, orientation and tensions");
+    assert_eq!(page.matches("here: ").count(), 13 + 11 + 5, "errors of position, orientation and tensions");
     let planar = cdpr_in(folder.path(), &format!("chain {} --format json", study("planar-wide-grid.toml"))).json();
     assert_eq!(planar["left_out"].as_array().unwrap().len(), 2);
     assert!(planar["steps"][0]["printed"].is_null(), "another machine has nothing printed of it");
+    assert!(!page.contains("more than before the identification") && planar["force_tracking"].is_null());
     let wrong = cdpr_in(folder.path(), &format!("chain {} --region 1,2", study("twin-chain.toml")));
     assert_eq!(wrong.exit_code, 2);
     assert!(wrong.stderr.contains("6 numbers"), "{}", wrong.stderr);

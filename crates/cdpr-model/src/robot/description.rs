@@ -6,7 +6,7 @@ use cdpr_core::cable::elasticity::StiffnessBasis;
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::{Assumption, Axis, CableStiffness, CableWinch, HysteresisTable, Obstacle, Pulley};
+use super::{Assumption, Axis, CableStiffness, CableWinch, HysteresisTable, Obstacle, Pulley, Source};
 use crate::geometry::{MotionPattern, Plane, Pose, Wrench};
 
 /// A cable robot as its file describes it. A number that the file does not state is `None`: unknown, never zero.
@@ -56,30 +56,6 @@ pub struct Calibration {
     /// `not-trusted`, `not-converged`, `not-identifiable` or `not-predictive` if no robot should be driven by these
     /// numbers.
     pub status: String,
-}
-
-/// Source of a robot's numbers.
-#[derive(Clone, Debug, Default, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
-#[serde(deny_unknown_fields)]
-pub struct Source {
-    /// Publication or owner.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub citation: Option<String>,
-    /// Equations or tables of the publication.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub equations: Option<String>,
-    /// Repository the numbers were read from.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub repository: Option<String>,
-    /// Commit of that repository.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub commit: Option<String>,
-    /// Licence of the numbers.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub licence: Option<String>,
-    /// File in that repository.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub file: Option<String>,
 }
 
 /// Mass properties of the platform.

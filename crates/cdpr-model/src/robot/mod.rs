@@ -26,6 +26,7 @@ mod parts;
 mod reader;
 #[cfg(feature = "files")]
 mod reading;
+mod source;
 pub mod stretch;
 mod surroundings;
 #[cfg(feature = "files")]
@@ -41,11 +42,12 @@ pub use axis::Axis;
 pub use body::{Body, BodyError};
 pub use cdpr_core::cable::elasticity::StiffnessBasis;
 pub use description::{
-    Cable, Calibration, ExternalWrench, Platform, ReferenceCheck, Robot, Source, TensionPlace, TravelBox, WrapSide,
+    Cable, Calibration, ExternalWrench, Platform, ReferenceCheck, Robot, TensionPlace, TravelBox, WrapSide,
 };
 pub use parameter::{Head, axis_name};
 pub use parameter::{Parameter, ParameterKind};
 pub use parts::{CableStiffness, Pulley};
+pub use source::{PublishedErrors, Source};
 pub use stretch::registry::{LAWS, Law, LawNumber, StretchEffect, StretchNumber};
 pub use stretch::{HysteresisTable, StretchError, TRANSITION_LIMIT};
 pub use surroundings::{Obstacle, ObstacleShape};

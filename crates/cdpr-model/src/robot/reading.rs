@@ -13,7 +13,7 @@ use super::home_reading::read_home;
 use super::reader::{Reader, square};
 use super::stretch::registry::law_numbers;
 use super::surroundings_reading::{read_hull, read_obstacles};
-use super::{ExternalWrench, Platform, ReferenceCheck, Robot, TravelBox};
+use super::{ExternalWrench, Platform, ReferenceCheck, Robot, Source, TravelBox};
 use crate::geometry::{MotionPattern, Wrench};
 use crate::reading::{FileError, Gathering, ReadError, Size, Step, TomlDocument, bytes_of, text_from_bytes};
 
@@ -79,6 +79,7 @@ impl Reader<'_> {
         let obstacles = read_obstacles(self, &file)?;
         check_assumptions(self, &file)?;
         self.check_references(&file.reference_check, cables.len())?;
+        self.check_published(file.source.as_ref())?;
         Ok(Robot {
             gravity: file.gravity_m_s2.as_ref().map(gravity).transpose()?,
             platform: self.platform(&file.platform)?,
@@ -171,6 +172,22 @@ impl Reader<'_> {
             return Err(self.document.error_at(&path("position_min_m"), "robot::workspace", message));
         }
         Ok(TravelBox { min, max, note: section.note })
+    }
+
+    /// Checks that published errors are numbers from 0 on.
+    fn check_published(&self, source: Option<&Source>) -> Result<(), ReadError> {
+        for (index, errors) in source.iter().flat_map(|source| &source.published).enumerate() {
+            for (key, value) in [
+                ("position_mean_m", Some(errors.position_mean_m)),
+                ("rotation_mean_rad", errors.rotation_mean_rad),
+                ("length_mean_abs_m", errors.length_mean_abs_m),
+                ("tension_mean_norm_N", errors.tension_mean_norm_N),
+            ] {
+                let path = [Step::Key("source"), Step::Key("published"), Step::Index(index), Step::Key(key)];
+                self.not_negative(&path, value)?;
+            }
+        }
+        Ok(())
     }
 
     /// Checks that the lists of reference checks have the number of entries that the robot needs.

@@ -43,6 +43,7 @@ impl Robot {
         let mut section = |header: &str, body: String| text.push_str(&format!("\n{header}\n{body}"));
         if let Some(source) = &self.source {
             section("[source]", lines(source));
+            source.published.iter().for_each(|errors| section("[[source.published]]", lines(errors)));
         }
         if let Some(calibration) = &self.calibration {
             section("[calibration]", lines(calibration));

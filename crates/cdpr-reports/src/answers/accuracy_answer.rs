@@ -7,9 +7,11 @@ use cdpr_model::geometry::MotionPattern;
 use cdpr_study::Experiment;
 use cdpr_study::accuracy::{Accuracy, Assessment};
 use cdpr_study::branches::Branches;
+use cdpr_study::force_tracking::ForceTracking;
 use serde::Serialize;
 
 use super::error_table::{Source, convergence_remark, error_table};
+use super::tracking_answer::TrackingAnswer;
 use super::{Answer, DifferenceAnswer, beyond_map, control_title, gain_words, title};
 use crate::number_format::cell;
 use crate::table::Table;
@@ -35,6 +37,11 @@ pub struct AccuracyAnswer {
     seed: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
     difference: Option<DifferenceAnswer>,
+    /// Comparison with the control model by which the winches were set, or with that of the other study.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    force_tracking: Option<TrackingAnswer>,
+    /// The caution about force tracking; remarks follow it.
+    warnings: Vec<String>,
     #[serde(skip)]
     pattern: MotionPattern,
 }
@@ -67,6 +74,8 @@ pub struct Assessed {
     pub branches: Option<Branches>,
     /// Initial tensions of the machine (N).
     pub initial_tensions: Option<Vec<f64>>,
+    /// Comparison with the controller by which the winches were set.
+    pub force_tracking: Option<ForceTracking>,
     /// Seed of random poses.
     pub seed: u64,
 }
@@ -74,10 +83,11 @@ pub struct Assessed {
 impl AccuracyAnswer {
     /// The answer of an experiment.
     pub fn new(experiment: &Experiment, found: Assessed) -> Self {
-        let Assessed { assessment, prediction, branches, initial_tensions, seed } = found;
+        let Assessed { assessment, prediction, branches, initial_tensions, force_tracking, seed } = found;
         let reason = reason(&assessment);
         let prediction = prediction.zip(experiment.prediction.as_ref());
-        Self {
+        let former = experiment.former.as_ref().zip(force_tracking);
+        let answer = Self {
             status: if reason.is_none() { "converged" } else { "not-converged" },
             reason,
             control: control_title(experiment),
@@ -91,13 +101,29 @@ impl AccuracyAnswer {
             winch_offsets_m: experiment.offsets.clone(),
             seed,
             difference: None,
-        }
+            force_tracking: None,
+            warnings: Vec::new(),
+        };
+        answer.tracking(former.map(|(model, found)| TrackingAnswer::new(title(model), found)))
     }
 
-    /// The same with the difference to another controller.
+    /// The same with the difference to another controller, with which force tracking is compared instead of that by which
+    /// the winches were set.
     #[must_use]
-    pub fn against(self, difference: Option<DifferenceAnswer>) -> Self {
+    pub fn against(mut self, difference: Option<DifferenceAnswer>) -> Self {
+        if let Some(tracking) = difference.as_ref().and_then(DifferenceAnswer::force_tracking) {
+            self = self.tracking(Some(tracking));
+        }
         Self { difference, ..self }
+    }
+
+    /// The same with a comparison of force tracking; a worse one is a caution.
+    fn tracking(mut self, found: Option<TrackingAnswer>) -> Self {
+        self.warnings = found.as_ref().and_then(TrackingAnswer::caution).into_iter().collect();
+        if self.reason.is_none() {
+            self.status = if self.warnings.is_empty() { "converged" } else { "converged-with-caution" };
+        }
+        Self { force_tracking: found, ..self }
     }
 
     /// Remarks on what the numbers leave out.
@@ -117,7 +143,8 @@ impl Answer for AccuracyAnswer {
 
     fn words(&self, width: Option<usize>) -> String {
         let Self { control, machine, accuracy, .. } = self;
-        let mut text = format!("{control} drives {machine} to {} poses\n", accuracy.samples);
+        let mut text: String = self.warnings.iter().map(|caution| format!("Caution: {caution}.\n\n")).collect();
+        text.push_str(&format!("{control} drives {machine} to {} poses\n", accuracy.samples));
         if let Some(reason) = &self.reason {
             text.push_str(&format!("{reason}; the others count\n"));
         }

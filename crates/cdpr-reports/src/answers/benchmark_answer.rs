@@ -1,11 +1,11 @@
 //! Robots and control models under the same rules, beside what is printed of real machines.
 
+use cdpr_model::robot::{PublishedErrors, Robot};
 use cdpr_study::benchmark::{Benchmark, BenchmarkErrors, BenchmarkRow, BenchmarkRules};
 use minijinja::{Value, context};
 use serde::Serialize;
 
 use super::Answer;
-use super::printed_machines::{PRINTED, PrintedMachine};
 use crate::figures::{ErrorPanel, ErrorRows, Figure};
 use crate::html_page::{Page, PageError, PageKind, plain, prose};
 use crate::number_format::{NONE, significant};
@@ -20,7 +20,8 @@ pub struct BenchmarkAnswer {
     reason: Option<String>,
     #[serde(flatten)]
     benchmark: Benchmark,
-    printed: Vec<PrintedMachine>,
+    /// Errors that the robots' sources print of real machines.
+    printed: Vec<PublishedErrors>,
     #[serde(skip_serializing_if = "Vec::is_empty")]
     files: Vec<String>,
     warnings: Vec<String>,
@@ -43,8 +44,8 @@ const COLUMNS: [&str; 11] = [
 const PRINTED_COLUMNS: [&str; 5] = ["machine", "mean mm", "rotation °", "length mm", "tension N"];
 
 impl BenchmarkAnswer {
-    /// The answer, with the names of the files that are written.
-    pub fn new(benchmark: Benchmark, files: Vec<String>) -> Self {
+    /// The answer for robots, with the names of the files that are written.
+    pub fn new(robots: &[Robot], benchmark: Benchmark, files: Vec<String>) -> Self {
         let reason = benchmark.rows.is_empty().then(|| match benchmark.left_out.first() {
             Some((robot, reason)) => format!("no robot takes part; {robot}: {reason}"),
             None => "no robot supports the models that are asked for".to_owned(),
@@ -58,7 +59,7 @@ impl BenchmarkAnswer {
             reason,
             warnings: left_out.chain(failed).collect(),
             benchmark,
-            printed: PRINTED.to_vec(),
+            printed: published(robots),
             files,
         }
     }
@@ -98,8 +99,14 @@ impl BenchmarkAnswer {
             text.push_str(",\n");
         }
         for one in &self.printed {
-            let numbers =
-                [Some(one.position_mean_m), None, None, one.rotation_mean_rad, one.length_mean_abs_m, one.tension];
+            let numbers = [
+                Some(one.position_mean_m),
+                None,
+                None,
+                one.rotation_mean_rad,
+                one.length_mean_abs_m,
+                one.tension_mean_norm_N,
+            ];
             text.push_str(&format!("\"{}\",,,,,,,,", one.machine));
             numbers.into_iter().for_each(|value| text.push_str(&format!(",{}", number(value))));
             text.push_str(&format!("{}\"{}\"\n", ",".repeat(9), one.source));
@@ -157,6 +164,17 @@ impl BenchmarkAnswer {
     }
 }
 
+/// Errors that the sources of the robots print, each once: files of one machine may share their source.
+fn published(robots: &[Robot]) -> Vec<PublishedErrors> {
+    let mut all: Vec<PublishedErrors> = Vec::new();
+    for errors in robots.iter().filter_map(|robot| robot.source.as_ref()).flat_map(|source| &source.published) {
+        if !all.contains(errors) {
+            all.push(errors.clone());
+        }
+    }
+    all
+}
+
 /// Numbers of errors in the order of the table (CSV).
 const READS: [fn(&BenchmarkErrors) -> Option<f64>; 7] = [
     |errors| Some(errors.position_mean_m),
@@ -202,14 +220,14 @@ fn cells(row: &BenchmarkRow) -> Vec<String> {
     ]
 }
 
-fn printed_cells(one: &PrintedMachine) -> Vec<String> {
+fn printed_cells(one: &PublishedErrors) -> Vec<String> {
     let figure = |value: Option<f64>, scale: f64| value.map_or(NONE.to_owned(), |value| significant(scale * value, 3));
     vec![
         format!("{} ({})", one.machine, one.source),
         figure(Some(one.position_mean_m), 1e3),
         figure(one.rotation_mean_rad, 1.0_f64.to_degrees()),
         figure(one.length_mean_abs_m, 1e3),
-        figure(one.tension, 1.0),
+        figure(one.tension_mean_norm_N, 1.0),
     ]
 }
 
@@ -260,13 +278,16 @@ impl Answer for BenchmarkAnswer {
         self.rows().into_iter().for_each(|row| {
             table.row(row);
         });
-        let mut printed = Table::new(PRINTED_COLUMNS);
-        self.printed.iter().for_each(|one| {
-            printed.row(printed_cells(one));
-        });
         let mut text = String::from("errors with the numbers of the file → with identified ones\n\n");
         text.push_str(&table.text(width));
-        text.push_str(&format!("\nprinted of real machines\n\n{}\n", printed.text(width)));
+        if !self.printed.is_empty() {
+            let mut printed = Table::new(PRINTED_COLUMNS);
+            self.printed.iter().for_each(|one| {
+                printed.row(printed_cells(one));
+            });
+            text.push_str(&format!("\nprinted of real machines\n\n{}", printed.text(width)));
+        }
+        text.push('\n');
         rules(&self.benchmark.rules).iter().for_each(|rule| text.push_str(&format!("{rule}\n")));
         self.warnings.iter().for_each(|warning| text.push_str(&format!("caution: {warning}\n")));
         if !self.files.is_empty() {

@@ -6,6 +6,7 @@ use cdpr_study::study::PublishedStage;
 use minijinja::{Value, context};
 use serde::Serialize;
 
+use super::tracking_answer::TrackingAnswer;
 use super::{Answer, title};
 use crate::figures::{ErrorPanel, ErrorRows, Figure};
 use crate::html_page::{Page, PageError, PageKind, plain, prose};
@@ -27,7 +28,12 @@ pub struct ChainAnswer {
     first_change_m: [f64; 2],
     second_change_m: [f64; 2],
     ratios: Vec<Ratio>,
+    /// Force control by the identified elastostatic model beside that by the nominal one.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    force_tracking: Option<TrackingAnswer>,
     left_out: Vec<String>,
+    /// The caution about force tracking; remarks follow it.
+    warnings: Vec<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     report: Option<String>,
 }
@@ -81,8 +87,11 @@ impl ChainAnswer {
             let printed = published.iter().find(|own| own.stage == step.name).map(PrintedErrors::of);
             StepAnswer { step, printed }
         };
+        let force_tracking = chain.force_tracking.zip(experiment.prediction.as_ref());
+        let force_tracking = force_tracking.map(|(found, model)| TrackingAnswer::new(title(model), found));
+        let warnings: Vec<String> = force_tracking.as_ref().and_then(TrackingAnswer::caution).into_iter().collect();
         Self {
-            status: "done",
+            status: if warnings.is_empty() { "done" } else { "done-with-caution" },
             control: title(&experiment.control),
             machine: title(&experiment.machine),
             prediction: experiment.prediction.as_ref().map(title),
@@ -92,7 +101,9 @@ impl ChainAnswer {
             second_change_m: chain.second_change_m,
             steps: chain.steps.into_iter().map(step).collect(),
             ratios,
+            force_tracking,
             left_out: chain.left_out,
+            warnings,
             report: None,
         }
     }
@@ -207,7 +218,9 @@ impl ChainAnswer {
             .collect();
         let last = self.steps.iter().find(|one| one.step.name == "force-control-edges");
         let shown = last.or(self.steps.last());
+        let worse = self.force_tracking.as_ref().filter(|tracking| tracking.is_worse());
         let values = context! {
+            worse => worse.map(TrackingAnswer::change),
             headline => shown.map(|one| format!("{} mm", significant(1e3 * one.step.position_mean_m, 3))),
             of => shown.map(|one| one.step.words),
             facts => [("Nominal controller", &self.control), ("Machine", &self.machine)]
@@ -218,7 +231,7 @@ impl ChainAnswer {
             rows,
             has_printed => self.steps.iter().any(|one| one.printed.is_some()),
             sentences => self.sentences().iter().map(|words| prose(words)).collect::<Vec<_>>(),
-            warnings => self.left_out.iter().map(|why| prose(why)).collect::<Vec<_>>(),
+            warnings => self.warnings.iter().chain(&self.left_out).map(|words| prose(words)).collect::<Vec<_>>(),
             command => plain(command),
             seed => self.seed,
         };
@@ -246,6 +259,7 @@ fn ratios(steps: &[ChainStep]) -> Vec<Ratio> {
         ("reference", "driven"),
         ("reduced-nominal", "reduced-identified"),
         ("elastostatic-nominal", "elastostatic-identified"),
+        ("force-control-nominal", "force-control"),
         ("kinematic-edges", "force-control-edges"),
     ];
     let ratio = |(before, after): (&'static str, &'static str)| {
@@ -269,12 +283,13 @@ impl Answer for ChainAnswer {
         });
         let printed =
             if self.steps.iter().any(|one| one.printed.is_some()) { "; published errors in brackets" } else { "" };
-        let mut text = format!(
+        let mut text: String = self.warnings.iter().map(|caution| format!("Caution: {caution}.\n\n")).collect();
+        text.push_str(&format!(
             "{} on {}\n\nmean errors; tension: mean of the 2-norm over cables{printed}\n\n{}\n",
             self.control,
             self.machine,
             table.text(width)
-        );
+        ));
         self.sentences().iter().for_each(|words| text.push_str(&format!("{words}\n")));
         self.left_out.iter().for_each(|why| text.push_str(&format!("Left out: {why}\n")));
         if let Some(report) = &self.report {

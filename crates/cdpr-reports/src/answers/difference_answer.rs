@@ -4,8 +4,10 @@ use cdpr_model::control::CommandedPose;
 use cdpr_model::geometry::MotionPattern;
 use cdpr_study::Experiment;
 use cdpr_study::difference::{Difference, ErrorChange};
+use cdpr_study::force_tracking::ForceTracking;
 use serde::Serialize;
 
+use super::tracking_answer::TrackingAnswer;
 use super::{axis_names, control_title};
 use crate::figures::{DifferenceMap, DifferencePoint};
 use crate::number_format::{NONE, short, significant};
@@ -34,6 +36,13 @@ impl DifferenceAnswer {
             difference,
             pattern: experiment.machine.robot().motion_pattern,
         }
+    }
+
+    /// Force tracking compared with that of the other controller; `None` unless both command tensions.
+    pub(super) fn force_tracking(&self) -> Option<TrackingAnswer> {
+        let errors = self.difference.tension_error_N?;
+        let found = ForceTracking::of(errors.other.mean, errors.own.mean)?;
+        Some(TrackingAnswer::new(self.other_control.clone(), found))
     }
 
     /// The paragraph of the difference.

@@ -3,7 +3,7 @@
 use serde::Deserialize;
 
 /// The stages of the chain in their order.
-pub(crate) const STAGES: [&str; 12] = [
+pub(crate) const STAGES: [&str; 13] = [
     "reference",
     "identified",
     "driven",
@@ -13,6 +13,7 @@ pub(crate) const STAGES: [&str; 12] = [
     "reduced-identified",
     "elastostatic-nominal",
     "elastostatic-identified",
+    "force-control-nominal",
     "force-control",
     "force-control-edges",
     "kinematic-edges",
@@ -24,8 +25,8 @@ pub(crate) const STAGES: [&str; 12] = [
 #[expect(non_snake_case, reason = "the fields are the file's keys, units included")]
 pub struct PublishedStage {
     /// Stage of the chain: `reference`, `identified`, `driven`, `identified-again`, `constant-orientation`,
-    /// `reduced-nominal`, `reduced-identified`, `elastostatic-nominal`, `elastostatic-identified`, `force-control`,
-    /// `force-control-edges` or `kinematic-edges`.
+    /// `reduced-nominal`, `reduced-identified`, `elastostatic-nominal`, `elastostatic-identified`,
+    /// `force-control-nominal`, `force-control`, `force-control-edges` or `kinematic-edges`.
     pub stage: String,
     /// Mean position error (m).
     pub position_mean_m: Option<f64>,

@@ -105,6 +105,7 @@ fn chain() -> Group {
     Group::new("chain")
         .call("chain {studies}/twin-chain.toml")
         .call("chain {studies}/twin-chain.toml --region=-2,2,-2,2,0.75,2.75 --seed 5")
+        .call("accuracy {studies}/planar-force-circle-identified.toml")
         .call("benchmark")
         .call("benchmark --robots planar-example,cogiro,cucablerobot --seed 2")
         .call("benchmark --robots cablerobot-simulator-helicopter --models standard,elastic")

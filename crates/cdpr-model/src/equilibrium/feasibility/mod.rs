@@ -52,16 +52,29 @@ pub struct Solver<'a> {
     model: &'a Model,
     load: Load,
     limits: Limits,
-    single: quadratic::Solver,
-    matrix: DMatrix<f64>,
+    /// Memory for poses solved one by one; most calls have none.
+    alone: Option<Box<Alone>>,
     /// Number of poses solved one by one, if one thread did all.
     single_poses: usize,
+}
+
+/// Memory of the search at a single pose.
+#[derive(Clone, Debug)]
+struct Alone {
+    solver: quadratic::Solver,
+    matrix: DMatrix<f64>,
+}
+
+impl Alone {
+    fn new(cables: usize, dof: usize) -> Box<Self> {
+        Box::new(Self { solver: quadratic::Solver::new(cables, dof), matrix: DMatrix::zeros(dof, cables) })
+    }
 }
 
 impl<'a> Solver<'a> {
     /// A solver for this model, load and limits.
     pub fn new(model: &'a Model, load: &Load, limits: &Limits) -> Result<Self, InputError> {
-        let (cables, dof) = (model.cable_count(), model.dof());
+        let cables = model.cable_count();
         if limits.cable_count() != cables {
             return Err(InputError::LimitCount { expected: cables, found: limits.cable_count() });
         }
@@ -69,14 +82,7 @@ impl<'a> Solver<'a> {
         if !(wrench.norm_squared() + load.weight().0.norm_squared() + load.weight().1.norm_squared()).is_finite() {
             return Err(InputError::NotFinite { what: "wrench" });
         }
-        Ok(Self {
-            model,
-            load: *load,
-            limits: limits.clone(),
-            single: quadratic::Solver::new(cables, dof),
-            matrix: DMatrix::zeros(dof, cables),
-            single_poses: 0,
-        })
+        Ok(Self { model, load: *load, limits: limits.clone(), alone: None, single_poses: 0 })
     }
 
     /// Writes one answer per pose, as [`feasible`] does.
@@ -115,7 +121,9 @@ impl<'a> Solver<'a> {
             let found = distribution::solve(self.model, pose, &self.load, &self.limits);
             return found.is_ok_and(|found| found.reason.is_none());
         }
-        if self.model.write_structure_matrix(pose, &mut self.matrix).is_err() {
+        let (cables, dof) = (self.model.cable_count(), self.model.dof());
+        let alone = self.alone.get_or_insert_with(|| Alone::new(cables, dof));
+        if self.model.write_structure_matrix(pose, &mut alone.matrix).is_err() {
             return false;
         }
         let wrench = self.load.wrench(pose);
@@ -124,8 +132,8 @@ impl<'a> Solver<'a> {
             *component = twist.dot(&wrench);
         }
         // the answer at a pose must not depend on earlier poses
-        self.single.forget();
-        let found = self.single.solve(&self.matrix, &components[..self.model.dof()], &self.limits, None);
+        alone.solver.forget();
+        let found = alone.solver.solve(&alone.matrix, &components[..dof], &self.limits, None);
         found.is_ok_and(|found| found.status == Status::Feasible)
     }
 }
