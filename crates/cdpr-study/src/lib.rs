@@ -13,6 +13,7 @@ pub mod effects;
 mod error_code;
 mod experiment;
 pub mod field;
+mod identification;
 mod objective_comparison;
 mod poorer;
 mod prediction;
@@ -24,6 +25,7 @@ pub mod sweep;
 pub mod tolerance;
 
 pub use experiment::{Experiment, ExperimentError, Robots};
+pub use identification::{Identification, IdentificationData, identify};
 pub use objective_comparison::{Driven, JudgedOptimum, OptimumOf, compare_objectives};
 pub use poorer::missing_effects;
 pub use prediction::PredictionError;

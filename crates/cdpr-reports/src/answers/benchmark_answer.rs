@@ -8,6 +8,7 @@ use super::Answer;
 use super::printed_machines::{PRINTED, PrintedMachine};
 use crate::figures::{ErrorPanel, ErrorRows, Figure};
 use crate::html_page::{Page, PageError, PageKind, plain, prose};
+use crate::keys::BenchmarkKeys;
 use crate::number_format::{NONE, significant};
 use crate::table::Table;
 
@@ -18,7 +19,7 @@ const TEMPLATE: &str = include_str!("benchmark.html");
 pub struct BenchmarkAnswer {
     status: &'static str,
     reason: Option<String>,
-    #[serde(flatten)]
+    #[serde(flatten, with = "BenchmarkKeys")]
     benchmark: Benchmark,
     printed: Vec<PrintedMachine>,
     #[serde(skip_serializing_if = "Vec::is_empty")]

@@ -16,7 +16,7 @@ pub struct ReductionAnswer {
     parameter_count: [usize; 2],
     left: Vec<String>,
     position_mean_m: [f64; 2],
-    standard_error: f64,
+    standard_error_m: f64,
     #[serde(skip_serializing_if = "Option::is_none")]
     out: Option<String>,
 }
@@ -31,7 +31,7 @@ impl ReductionAnswer {
             parameter_count: found.parameter_count,
             left: found.left.clone(),
             position_mean_m: found.position_mean_m,
-            standard_error: found.standard_error,
+            standard_error_m: found.standard_error,
             out,
         }
     }
@@ -56,14 +56,14 @@ impl ReductionAnswer {
     /// Size, reason and errors.
     fn sentences(&self) -> [String; 3] {
         let Self { reason, patterns: [before, after], parameter_count: [full, reduced], .. } = self;
-        let decimals = decimals_for(Some(1e3 * self.standard_error));
+        let decimals = decimals_for(Some(1e3 * self.standard_error_m));
         let [of_full, of_reduced] = self.position_mean_m.map(|error| fixed(1e3 * error, decimals));
         let pattern = if before == after {
             String::new()
         } else {
             format!(", motion pattern {} → {}", before.name(), after.name())
         };
-        let error = fixed(1e3 * self.standard_error, decimals);
+        let error = fixed(1e3 * self.standard_error_m, decimals);
         let file = match &self.out {
             Some(out) => format!("written to {out}"),
             None => "`--out-reduced FILE` writes it".to_owned(),

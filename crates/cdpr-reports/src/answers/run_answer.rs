@@ -1,104 +1,108 @@
 //! Answer of a run: how it ended, where the machine is, and what happened on the way.
 
-use cdpr_model::geometry::MotionPattern;
 use cdpr_model::model::Model;
 use cdpr_model::robot::Assumption;
 use cdpr_plant::scenario::Integrator;
 use cdpr_plant::{Event, Plant, PlantState, RunEnd, Simulation, Summary, Winches};
+use schemars::JsonSchema;
 use serde::Serialize;
 
+use super::pose_answer::{AngularRate, rates};
 use super::{Answer, PoseAnswer, assumed_numbers, inertia_doubt, title};
 use crate::number_format::{cell, short};
 use crate::recording::{OTHERS, Violation, sentence};
 use crate::table::Table;
 
 /// End of a run.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
+#[schemars(rename = "Run")]
 pub struct RunAnswer {
-    robot: String,
-    model: String,
+    pub(crate) robot: String,
+    pub(crate) model: String,
     /// `completed`, `stopped`, `failed`.
-    status: &'static str,
+    pub(crate) status: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
-    reason: Option<String>,
+    pub(crate) reason: Option<String>,
     /// `symplectic` or `error-controlled`.
-    integrator: Integrator,
-    steps: u64,
+    pub(crate) integrator: Integrator,
+    pub(crate) steps: u64,
     #[serde(rename = "final")]
-    last: FinalState,
+    pub(crate) last: FinalState,
     #[serde(rename = "tension_min_N")]
-    tension_min: f64,
+    pub(crate) tension_min: f64,
     #[serde(rename = "tension_max_N")]
-    tension_max: f64,
+    pub(crate) tension_max: f64,
     /// Energy at the end (J); null where tensions are no function of lengths alone.
     #[serde(rename = "energy_J")]
-    energy: Option<EnergyAnswer>,
-    events: Vec<EventAnswer>,
+    pub(crate) energy: Option<EnergyAnswer>,
+    pub(crate) events: Vec<EventAnswer>,
     /// Limits of tensions that were broken after any step, by first time and cable.
-    violations: Vec<ViolationAnswer>,
+    pub(crate) violations: Vec<ViolationAnswer>,
     /// Cables that were slack without breaking a limit.
-    slack: Vec<SlackAnswer>,
-    log: String,
+    pub(crate) slack: Vec<SlackAnswer>,
+    pub(crate) log: String,
     /// Numbers of the robot file that the motion rests on and that no source states.
-    assumptions: Vec<Assumption>,
-    warnings: Vec<String>,
+    pub(crate) assumptions: Vec<Assumption>,
+    pub(crate) warnings: Vec<String>,
     #[serde(skip)]
-    cable_names: Vec<String>,
+    pub(crate) cable_names: Vec<String>,
 }
 
-#[derive(Clone, Debug, Serialize)]
-struct FinalState {
+/// State at the end.
+#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
+pub(crate) struct FinalState {
     time_s: f64,
     #[serde(flatten)]
     pose: PoseAnswer,
     velocity_m_s: Vec<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    angular_velocity_rad_s: Option<AngularVelocity>,
+    angular_velocity_rad_s: Option<AngularRate>,
     #[serde(rename = "tensions_N")]
     tensions: Vec<f64>,
     cable_lengths_m: Vec<f64>,
 }
 
-/// About the world's axes, or of a planar robot about the normal of its plane.
-#[derive(Clone, Debug, Serialize)]
-#[serde(untagged)]
-enum AngularVelocity {
-    Planar(f64),
-    Spatial(Vec<f64>),
-}
-
-#[derive(Clone, Debug, Serialize)]
-struct EnergyAnswer {
+/// Energy of platform, cables and weight.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(rename = "Energy")]
+pub(crate) struct EnergyAnswer {
     kinetic: f64,
     elastic: f64,
     potential: f64,
 }
 
-#[derive(Clone, Debug, Serialize)]
-struct EventAnswer {
+/// Event that happened.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(rename = "Event")]
+pub(crate) struct EventAnswer {
     time_s: f64,
     kind: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     cable: Option<usize>,
 }
 
-#[derive(Clone, Debug, Serialize)]
-struct ViolationAnswer {
+/// Limit that a cable broke.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(rename = "Violation")]
+pub(crate) struct ViolationAnswer {
     /// Key of the robot file that states it.
     limit: &'static str,
     #[serde(rename = "limit_N")]
     bound: f64,
     cable: usize,
     first_s: f64,
-    /// Tension farthest from the limit (N).
+    /// Tension farthest from the limit.
+    #[serde(rename = "worst_N")]
     worst: f64,
     /// Length of all steps that end with it.
     duration_s: f64,
     words: String,
 }
 
-#[derive(Clone, Debug, Serialize)]
-struct SlackAnswer {
+/// Cable that was slack.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(rename = "Slack")]
+pub(crate) struct SlackAnswer {
     cable: usize,
     first_s: f64,
     duration_s: f64,
@@ -237,18 +241,12 @@ fn warnings(simulation: &Simulation, violations: &[Violation]) -> Vec<String> {
 
 impl FinalState {
     fn new(model: &Model, state: &PlantState) -> Self {
-        let (robot, twist) = (model.robot(), state.twist());
-        let rates: Vec<f64> = model.twist_basis().iter().map(|basis| basis.dot(&twist) + 0.0).collect();
-        let (velocity, turning) = rates.split_at(robot.motion_pattern.translations());
+        let (velocity_m_s, angular_velocity_rad_s) = rates(model, &state.twist());
         Self {
             time_s: state.time,
-            pose: PoseAnswer::new(robot, &state.pose),
-            velocity_m_s: velocity.to_vec(),
-            angular_velocity_rad_s: match robot.motion_pattern {
-                MotionPattern::Planar => Some(AngularVelocity::Planar(turning[0])),
-                MotionPattern::Spatial => Some(AngularVelocity::Spatial(turning.to_vec())),
-                _ => None,
-            },
+            pose: PoseAnswer::new(model.robot(), &state.pose),
+            velocity_m_s,
+            angular_velocity_rad_s,
             tensions: state.cables.iter().map(|cable| cable.tension).collect(),
             cable_lengths_m: state.cables.iter().map(|cable| cable.controlled_length).collect(),
         }

@@ -1,0 +1,157 @@
+//! Errors of control models on machines.
+
+use std::collections::BTreeMap;
+
+use cdpr_model::compensation::Beyond;
+use cdpr_model::control::{LengthErrorStatistics, MapEffect, PoseErrorStatistics, TensionErrorStatistics};
+use cdpr_study::accuracy::Accuracy;
+use cdpr_study::branches::Branches;
+use cdpr_study::difference::{Difference, ErrorChange};
+use cdpr_study::field::Summary;
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::adapters::{nullable_numbers, tables};
+use super::{LengthErrorKeys, Maybe, PoseErrorKeys, TensionErrorKeys};
+
+/// Numbers of poses at which a map does not act fully.
+#[derive(Serialize, JsonSchema)]
+#[serde(remote = "Beyond")]
+#[schemars(rename = "Beyond")]
+pub(crate) struct BeyondKeys {
+    /// Poses beyond its margin, where only the model acts.
+    outside: usize,
+    /// Poses in its margin, where it fades.
+    fading: usize,
+}
+
+/// Errors over the poses of a study, exact and by one linear step.
+#[derive(Serialize, JsonSchema)]
+#[serde(remote = "Summary")]
+#[schemars(rename = "StudySummary", transform = nullable_numbers)]
+pub(crate) struct SummaryKeys {
+    samples: usize,
+    converged: usize,
+    #[serde(with = "PoseErrorKeys")]
+    position_error_m: PoseErrorStatistics,
+    #[serde(with = "PoseErrorKeys")]
+    rotation_error_rad: PoseErrorStatistics,
+    /// Null where no tensions are commanded or none emerge.
+    #[serde(rename = "tension_error_N", with = "Maybe::<TensionErrorKeys>")]
+    tension_error: Option<TensionErrorStatistics>,
+    /// Residual force of the cables held at the commanded poses; null for a rigid machine.
+    #[serde(rename = "residual_force_N", with = "Maybe::<PoseErrorKeys>")]
+    residual_force: Option<PoseErrorStatistics>,
+    /// Mean position error as a fraction of the diameter of the positions (eq. 3.5); null for one position.
+    relative_position_error: Option<f64>,
+    diameter_m: f64,
+    #[serde(with = "PoseErrorKeys")]
+    linear_position_error_m: PoseErrorStatistics,
+    /// Distance between the positions of the linear step and of the exact solution.
+    #[serde(with = "PoseErrorKeys")]
+    linear_residual_m: PoseErrorStatistics,
+    /// Fraction of the poses at which that distance is at most a tenth of the exact error.
+    linear_trusted_share: f64,
+    #[serde(with = "Maybe::<MappedSummaryKeys>", skip_serializing_if = "Option::is_none")]
+    compensation: Option<Box<MapEffect<Summary>>>,
+}
+
+/// Effect of the map that corrects the control model.
+#[derive(Serialize, JsonSchema)]
+#[serde(remote = "MapEffect<Summary>")]
+#[schemars(rename = "MappedSummary")]
+struct MappedSummaryKeys {
+    #[serde(flatten, with = "BeyondKeys")]
+    beyond: Beyond,
+    /// Errors of the control model without the map.
+    #[serde(with = "SummaryKeys")]
+    without: Summary,
+}
+
+/// Errors of a control model on a machine over the commanded poses.
+#[derive(Serialize)]
+#[serde(remote = "Accuracy")]
+#[expect(non_snake_case, reason = "the fields are the keys, units included")]
+pub(crate) struct AccuracyKeys {
+    samples: usize,
+    #[serde(with = "PoseErrorKeys")]
+    position_error_m: PoseErrorStatistics,
+    #[serde(with = "PoseErrorKeys")]
+    rotation_error_rad: PoseErrorStatistics,
+    #[serde(with = "LengthErrorKeys")]
+    length_error_m: LengthErrorStatistics,
+    #[serde(with = "Maybe::<TensionErrorKeys>")]
+    tension_error_N: Option<TensionErrorStatistics>,
+    tension_min_N: Option<f64>,
+    tension_max_N: Option<f64>,
+    statuses: BTreeMap<&'static str, usize>,
+    slack_samples: usize,
+    outside_limits_share: Option<f64>,
+    #[serde(with = "Maybe::<MappedAccuracyKeys>", skip_serializing_if = "Option::is_none")]
+    compensation: Option<Box<MapEffect<Accuracy>>>,
+}
+
+/// Effect of the map that corrects the control model.
+#[derive(Serialize)]
+#[serde(remote = "MapEffect<Accuracy>")]
+struct MappedAccuracyKeys {
+    #[serde(flatten, with = "BeyondKeys")]
+    beyond: Beyond,
+    #[serde(with = "AccuracyKeys")]
+    without: Accuracy,
+}
+
+/// Distances between outcomes of the same command after different paths.
+#[derive(Serialize)]
+#[serde(remote = "Branches")]
+#[expect(non_snake_case, reason = "the fields are the keys, units included")]
+pub(crate) struct BranchKeys {
+    stroke_m: f64,
+    samples: usize,
+    ways: usize,
+    #[serde(with = "PoseErrorKeys")]
+    position_spread_m: PoseErrorStatistics,
+    #[serde(with = "PoseErrorKeys")]
+    rotation_spread_rad: PoseErrorStatistics,
+    #[serde(with = "PoseErrorKeys")]
+    tension_spread_N: PoseErrorStatistics,
+}
+
+/// Errors of one controller minus those of another.
+#[derive(Serialize)]
+#[serde(remote = "Difference")]
+#[expect(non_snake_case, reason = "the fields are the keys, units included")]
+pub(crate) struct DifferenceKeys {
+    samples: usize,
+    compared: usize,
+    better: usize,
+    worse: usize,
+    #[serde(with = "ErrorChangeKeys")]
+    position_error_m: ErrorChange,
+    #[serde(with = "ErrorChangeKeys")]
+    rotation_error_rad: ErrorChange,
+    #[serde(with = "Maybe::<ErrorChangeKeys>")]
+    tension_error_N: Option<ErrorChange>,
+}
+
+/// Error of two controllers at the same poses.
+#[derive(Serialize)]
+#[serde(remote = "ErrorChange")]
+struct ErrorChangeKeys {
+    #[serde(with = "PoseErrorKeys")]
+    own: PoseErrorStatistics,
+    #[serde(with = "PoseErrorKeys")]
+    other: PoseErrorStatistics,
+    mean_change: f64,
+    relative_change: Option<f64>,
+    largest_gain: f64,
+    largest_loss: f64,
+}
+
+tables!(
+    MappedSummaryKeys: MapEffect<Summary>,
+    AccuracyKeys: Accuracy,
+    MappedAccuracyKeys: MapEffect<Accuracy>,
+    BranchKeys: Branches,
+    ErrorChangeKeys: ErrorChange,
+);
