@@ -11,7 +11,6 @@ use serde::Serialize;
 
 use super::error_table::{Source, convergence_remark, error_table};
 use super::{Answer, DifferenceAnswer, beyond_map, control_title, gain_words, title};
-use crate::keys::{AccuracyKeys, BranchKeys, ErrorBlockKeys, Maybe};
 use crate::number_format::cell;
 use crate::table::Table;
 
@@ -22,7 +21,7 @@ pub struct AccuracyAnswer {
     reason: Option<String>,
     control: String,
     machine: String,
-    #[serde(flatten, with = "AccuracyKeys")]
+    #[serde(flatten)]
     accuracy: Accuracy,
     winch_offsets_m: Vec<f64>,
     #[serde(rename = "initial_tensions_N")]
@@ -31,7 +30,7 @@ pub struct AccuracyAnswer {
     prediction: Option<Prediction>,
     #[serde(skip_serializing_if = "Option::is_none")]
     history: Option<History>,
-    #[serde(with = "Maybe::<BranchKeys>", skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     branches: Option<Branches>,
     seed: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -44,7 +43,7 @@ pub struct AccuracyAnswer {
 #[derive(Serialize)]
 struct Prediction {
     model: String,
-    #[serde(flatten, with = "ErrorBlockKeys")]
+    #[serde(flatten)]
     blocks: ErrorBlocks,
 }
 

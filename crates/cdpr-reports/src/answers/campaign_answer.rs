@@ -10,7 +10,7 @@ use serde::Serialize;
 use super::{Answer, title};
 use crate::figures::{CourseHeight, CoursePanel, Figure, rounds};
 use crate::html_page::{Page, PageError, PageKind, plain, prose};
-use crate::keys::{AccuracyKeys, Each, Maybe, RoundKeys, Word};
+use crate::keys::{Each, RoundKeys, Word};
 use crate::number_format::{NONE, significant};
 use crate::table::Table;
 
@@ -41,7 +41,6 @@ pub struct CampaignAnswer {
 /// The controller before the first round.
 #[derive(Serialize)]
 struct Nominal {
-    #[serde(with = "Maybe::<AccuracyKeys>")]
     driven: Option<Accuracy>,
     reach_share: f64,
 }

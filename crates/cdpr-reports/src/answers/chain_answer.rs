@@ -9,7 +9,6 @@ use serde::Serialize;
 use super::{Answer, title};
 use crate::figures::{ErrorPanel, ErrorRows, Figure};
 use crate::html_page::{Page, PageError, PageKind, plain, prose};
-use crate::keys::ChainStepKeys;
 use crate::number_format::{NONE, short, significant};
 use crate::table::Table;
 
@@ -36,7 +35,7 @@ pub struct ChainAnswer {
 /// A stage beside its published errors.
 #[derive(Serialize)]
 struct StepAnswer {
-    #[serde(flatten, with = "ChainStepKeys")]
+    #[serde(flatten)]
     step: ChainStep,
     /// Errors that the study quotes.
     #[serde(skip_serializing_if = "Option::is_none")]

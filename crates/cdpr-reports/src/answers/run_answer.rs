@@ -3,12 +3,13 @@
 use cdpr_model::model::Model;
 use cdpr_model::robot::Assumption;
 use cdpr_plant::scenario::Integrator;
-use cdpr_plant::{Event, Plant, PlantState, RunEnd, Simulation, Summary, Winches};
+use cdpr_plant::{Energy, Event, Plant, PlantState, RunEnd, Simulation, Summary, Winches};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::pose_answer::{AngularRate, rates};
 use super::{Answer, PoseAnswer, assumed_numbers, inertia_doubt, title};
+use crate::keys::{Each, EnergyKeys, Maybe, SlackKeys, ViolationKeys};
 use crate::number_format::{cell, short};
 use crate::recording::{OTHERS, Violation, sentence};
 use crate::table::Table;
@@ -33,13 +34,15 @@ pub struct RunAnswer {
     #[serde(rename = "tension_max_N")]
     pub(crate) tension_max: f64,
     /// Energy at the end (J); null where tensions are no function of lengths alone.
-    #[serde(rename = "energy_J")]
-    pub(crate) energy: Option<EnergyAnswer>,
+    #[serde(rename = "energy_J", with = "Maybe::<EnergyKeys>")]
+    pub(crate) energy: Option<Energy>,
     pub(crate) events: Vec<EventAnswer>,
     /// Limits of tensions that were broken after any step, by first time and cable.
-    pub(crate) violations: Vec<ViolationAnswer>,
+    #[serde(with = "Each::<ViolationKeys>")]
+    pub(crate) violations: Vec<Violation>,
     /// Cables that were slack without breaking a limit.
-    pub(crate) slack: Vec<SlackAnswer>,
+    #[serde(with = "Each::<SlackKeys>")]
+    pub(crate) slack: Vec<Violation>,
     pub(crate) log: String,
     /// Numbers of the robot file that the motion rests on and that no source states.
     pub(crate) assumptions: Vec<Assumption>,
@@ -62,15 +65,6 @@ pub(crate) struct FinalState {
     cable_lengths_m: Vec<f64>,
 }
 
-/// Energy of platform, cables and weight.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-#[schemars(rename = "Energy")]
-pub(crate) struct EnergyAnswer {
-    kinetic: f64,
-    elastic: f64,
-    potential: f64,
-}
-
 /// Event that happened.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 #[schemars(rename = "Event")]
@@ -79,33 +73,6 @@ pub(crate) struct EventAnswer {
     kind: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     cable: Option<usize>,
-}
-
-/// Limit that a cable broke.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-#[schemars(rename = "Violation")]
-pub(crate) struct ViolationAnswer {
-    /// Key of the robot file that states it.
-    limit: &'static str,
-    #[serde(rename = "limit_N")]
-    bound: f64,
-    cable: usize,
-    first_s: f64,
-    /// Tension farthest from the limit.
-    #[serde(rename = "worst_N")]
-    worst: f64,
-    /// Length of all steps that end with it.
-    duration_s: f64,
-    words: String,
-}
-
-/// Cable that was slack.
-#[derive(Clone, Debug, Serialize, JsonSchema)]
-#[schemars(rename = "Slack")]
-pub(crate) struct SlackAnswer {
-    cable: usize,
-    first_s: f64,
-    duration_s: f64,
 }
 
 impl RunAnswer {
@@ -117,11 +84,7 @@ impl RunAnswer {
             RunEnd::Stopped => ("stopped", Some(format!("the run was stopped at {} s", state.time))),
             RunEnd::Failed(error) => ("failed", Some(format!("after {:.6} s: {error}", state.time))),
         };
-        let energy = simulation.plant.energy(state).map(|energy| EnergyAnswer {
-            kinetic: energy.kinetic,
-            elastic: energy.elastic,
-            potential: energy.potential,
-        });
+        let (broken_limits, slack) = violations.iter().cloned().partition(Violation::is_broken_limit);
         Self {
             robot: model.robot().name.clone(),
             model: model.composition().to_string(),
@@ -132,11 +95,11 @@ impl RunAnswer {
             last: FinalState::new(model, state),
             tension_min: summary.tension_min,
             tension_max: summary.tension_max,
-            energy,
+            energy: simulation.plant.energy(state),
             events: summary.events.iter().map(EventAnswer::new).collect(),
             warnings: warnings(simulation, violations),
-            violations: violations.iter().filter_map(ViolationAnswer::of).collect(),
-            slack: violations.iter().filter(|one| !one.is_broken_limit()).map(SlackAnswer::of).collect(),
+            violations: broken_limits,
+            slack,
             log: log.to_owned(),
             assumptions: simulation.plant.assumptions().cloned().collect(),
             cable_names: model.robot().cables.iter().map(|cable| cable.name.clone()).collect(),
@@ -184,35 +147,15 @@ impl RunAnswer {
     }
 }
 
-impl ViolationAnswer {
-    fn of(violation: &Violation) -> Option<Self> {
-        Some(Self {
-            limit: violation.limit?,
-            bound: violation.bound,
-            cable: violation.cable + 1,
-            first_s: violation.first,
-            worst: violation.worst,
-            duration_s: violation.duration,
-            words: violation.words.clone(),
-        })
-    }
-
-    fn row(&self) -> [String; 5] {
-        let limit = format!("{} = {}", self.limit, short(self.bound));
-        [
-            self.cable.to_string(),
-            limit,
-            cell(Some(self.worst), 1),
-            cell(Some(self.first_s), 3),
-            cell(Some(self.duration_s), 3),
-        ]
-    }
-}
-
-impl SlackAnswer {
-    fn of(slack: &Violation) -> Self {
-        Self { cable: slack.cable + 1, first_s: slack.first, duration_s: slack.duration }
-    }
+fn row(violation: &Violation) -> Vec<String> {
+    let limit = format!("{} = {}", violation.limit.unwrap_or_default(), short(violation.bound));
+    vec![
+        (violation.cable + 1).to_string(),
+        limit,
+        cell(Some(violation.worst), 1),
+        cell(Some(violation.first), 3),
+        cell(Some(violation.duration), 3),
+    ]
 }
 
 /// The first broken limit in a sentence, with the number of the others.
@@ -278,7 +221,7 @@ impl Answer for RunAnswer {
         text.push_str(&format!("at {} s after {} steps: {}\n", short(last.time_s), self.steps, last.pose.words()));
         if !self.violations.is_empty() {
             let mut table = Table::new(["cable", "limit N", "worst N", "first s", "for s"]);
-            self.violations.iter().for_each(|one| table.row(one.row().to_vec()));
+            self.violations.iter().for_each(|one| table.row(row(one)));
             text.push_str(&format!("\n{}\n", table.text(width)));
         }
         if !self.events.is_empty() {

@@ -10,7 +10,7 @@ use serde::Serialize;
 
 use super::adapters::tables;
 use super::fit::{FitKeys, PoselessFitKeys};
-use super::{AccuracyKeys, Each, ErrorBlockKeys, Maybe, PoseErrorKeys, Word};
+use super::{Each, ErrorBlockKeys, Maybe, PoseErrorKeys, Word};
 
 /// Fit with the errors that judge it.
 #[derive(Serialize)]
@@ -56,7 +56,7 @@ pub(crate) struct OptimumKeys {
     values: ObjectiveValues,
     #[serde(with = "ErrorBlockKeys")]
     predicted: ErrorBlocks,
-    #[serde(with = "Maybe::<AccuracyKeys>", skip_serializing_if = "Option::is_none")]
+    #[serde(skip_serializing_if = "Option::is_none")]
     driven: Option<Accuracy>,
     #[serde(skip_serializing_if = "Option::is_none")]
     not_driven: Option<String>,

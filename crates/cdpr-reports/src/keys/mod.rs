@@ -11,6 +11,7 @@ mod fit;
 mod identification;
 mod parameters;
 mod robot;
+mod run;
 mod selection;
 mod statics;
 mod study;
@@ -19,17 +20,18 @@ mod workspace;
 
 pub(crate) use adapters::{Each, Keys, Maybe, Word};
 pub(crate) use design::{PlanKeys, PredictedKeys};
-pub(crate) use errors::{ErrorBlockKeys, LengthErrorKeys, PoseErrorKeys, TensionErrorKeys};
+pub(crate) use errors::{ErrorBlockKeys, PoseErrorKeys, TensionErrorKeys};
 pub(crate) use fit::{OutlierKeys, RecordingFrameKeys};
 pub(crate) use identification::{ComparisonKeys, IdentificationKeys, OptimumKeys, SelfCalibrationKeys};
 pub(crate) use parameters::{
-    ConditioningKeys, CourseStepKeys, PathParameterKeys, PathPointKeys, ProfileKeys, ResampledKeys,
+    ConditioningKeys, CourseStepKeys, PathParameterKeys, PathPointKeys, ProfileKeys, ReductionKeys, ResampledKeys,
 };
 pub(crate) use robot::FindingKeys;
+pub(crate) use run::{EnergyKeys, SlackKeys, ViolationKeys};
 pub(crate) use selection::{CoverageKeys, JudgementKeys, PreferenceKeys};
 pub(crate) use statics::{DisplacementKeys, ExtentKeys, InfeasibilityKeys, JudgedMapKeys};
-pub(crate) use study::{AccuracyKeys, BeyondKeys, BranchKeys, DifferenceKeys, SummaryKeys};
+pub(crate) use study::{BeyondKeys, DifferenceKeys, SummaryKeys};
 pub(crate) use tables::{
-    AllowanceKeys, BenchmarkKeys, ChainStepKeys, KindInfluenceKeys, MonteCarloKeys, RoundKeys, SweepRowKeys, kind,
+    AllowanceKeys, BenchmarkKeys, KindInfluenceKeys, MonteCarloKeys, RoundKeys, SweepRowKeys, kind,
 };
 pub(crate) use workspace::AuditKeys;

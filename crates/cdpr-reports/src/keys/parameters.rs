@@ -2,9 +2,10 @@
 
 use cdpr_calibration::fit::{Profile, ProfilePoint, RowWeights};
 use cdpr_calibration::{
-    Conditioning, CourseStep, Influence, KindCondition, KindScale, PathParameter, PathPoint, Resampled,
-    ResampledDeviation,
+    Conditioning, CourseStep, Evidence, Influence, KindCondition, KindScale, PathParameter, PathPoint, Reduction,
+    Resampled, ResampledDeviation,
 };
+use cdpr_model::geometry::MotionPattern;
 use cdpr_model::robot::ParameterKind;
 use serde::Serialize;
 
@@ -103,6 +104,20 @@ pub(crate) struct PathParameterKeys {
     centre: f64,
     is_penalised: bool,
     enters: Option<f64>,
+}
+
+/// Smaller model that data show, each pair of the full model and the smaller one.
+#[derive(Serialize)]
+#[serde(remote = "Reduction")]
+pub(crate) struct ReductionKeys {
+    evidence: Evidence,
+    reason: String,
+    patterns: [MotionPattern; 2],
+    parameter_count: [usize; 2],
+    left: Vec<String>,
+    position_mean_m: [f64; 2],
+    #[serde(rename = "standard_error_m")]
+    standard_error: f64,
 }
 
 /// Condition of the Jacobian of a model on data.

@@ -1,18 +1,14 @@
 //! Errors of control models on machines.
 
-use std::collections::BTreeMap;
-
 use cdpr_model::compensation::Beyond;
-use cdpr_model::control::{LengthErrorStatistics, MapEffect, PoseErrorStatistics, TensionErrorStatistics};
-use cdpr_study::accuracy::Accuracy;
-use cdpr_study::branches::Branches;
+use cdpr_model::control::{MapEffect, PoseErrorStatistics, TensionErrorStatistics};
 use cdpr_study::difference::{Difference, ErrorChange};
 use cdpr_study::field::Summary;
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::adapters::{nullable_numbers, tables};
-use super::{LengthErrorKeys, Maybe, PoseErrorKeys, TensionErrorKeys};
+use super::{Maybe, PoseErrorKeys, TensionErrorKeys};
 
 /// Numbers of poses at which a map does not act fully.
 #[derive(Serialize, JsonSchema)]
@@ -68,55 +64,6 @@ struct MappedSummaryKeys {
     without: Summary,
 }
 
-/// Errors of a control model on a machine over the commanded poses.
-#[derive(Serialize)]
-#[serde(remote = "Accuracy")]
-#[expect(non_snake_case, reason = "the fields are the keys, units included")]
-pub(crate) struct AccuracyKeys {
-    samples: usize,
-    #[serde(with = "PoseErrorKeys")]
-    position_error_m: PoseErrorStatistics,
-    #[serde(with = "PoseErrorKeys")]
-    rotation_error_rad: PoseErrorStatistics,
-    #[serde(with = "LengthErrorKeys")]
-    length_error_m: LengthErrorStatistics,
-    #[serde(with = "Maybe::<TensionErrorKeys>")]
-    tension_error_N: Option<TensionErrorStatistics>,
-    tension_min_N: Option<f64>,
-    tension_max_N: Option<f64>,
-    statuses: BTreeMap<&'static str, usize>,
-    slack_samples: usize,
-    outside_limits_share: Option<f64>,
-    #[serde(with = "Maybe::<MappedAccuracyKeys>", skip_serializing_if = "Option::is_none")]
-    compensation: Option<Box<MapEffect<Accuracy>>>,
-}
-
-/// Effect of the map that corrects the control model.
-#[derive(Serialize)]
-#[serde(remote = "MapEffect<Accuracy>")]
-struct MappedAccuracyKeys {
-    #[serde(flatten, with = "BeyondKeys")]
-    beyond: Beyond,
-    #[serde(with = "AccuracyKeys")]
-    without: Accuracy,
-}
-
-/// Distances between outcomes of the same command after different paths.
-#[derive(Serialize)]
-#[serde(remote = "Branches")]
-#[expect(non_snake_case, reason = "the fields are the keys, units included")]
-pub(crate) struct BranchKeys {
-    stroke_m: f64,
-    samples: usize,
-    ways: usize,
-    #[serde(with = "PoseErrorKeys")]
-    position_spread_m: PoseErrorStatistics,
-    #[serde(with = "PoseErrorKeys")]
-    rotation_spread_rad: PoseErrorStatistics,
-    #[serde(with = "PoseErrorKeys")]
-    tension_spread_N: PoseErrorStatistics,
-}
-
 /// Errors of one controller minus those of another.
 #[derive(Serialize)]
 #[serde(remote = "Difference")]
@@ -150,8 +97,5 @@ struct ErrorChangeKeys {
 
 tables!(
     MappedSummaryKeys: MapEffect<Summary>,
-    AccuracyKeys: Accuracy,
-    MappedAccuracyKeys: MapEffect<Accuracy>,
-    BranchKeys: Branches,
     ErrorChangeKeys: ErrorChange,
 );

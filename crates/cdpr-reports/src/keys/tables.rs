@@ -5,14 +5,13 @@ use cdpr_calibration::fit::Status;
 use cdpr_study::accuracy::Accuracy;
 use cdpr_study::benchmark::{Benchmark, BenchmarkErrors, BenchmarkRow, BenchmarkRules};
 use cdpr_study::campaign::Round;
-use cdpr_study::chain::{ChainStep, Identified};
 use cdpr_study::sensitivity::{Kind, KindInfluence, Side};
 use cdpr_study::sweep::Row;
 use cdpr_study::tolerance::{Allowance, Engine, MonteCarlo, Quantiles};
 use serde::Serialize;
 
 use super::adapters::tables;
-use super::{AccuracyKeys, Each, ErrorBlockKeys, Maybe, Word};
+use super::{Each, ErrorBlockKeys, Maybe, Word};
 
 /// Round of a campaign.
 #[derive(Serialize)]
@@ -26,44 +25,12 @@ pub(crate) struct RoundKeys {
     validation: Option<ErrorBlocks>,
     #[serde(with = "ErrorBlockKeys")]
     predicted: ErrorBlocks,
-    #[serde(with = "Maybe::<AccuracyKeys>")]
     driven: Option<Accuracy>,
     reach_share: f64,
     deviation_m: Option<f64>,
     parameter_count: usize,
     rank: usize,
     fit: Status,
-}
-
-/// Stage of a chain with its errors.
-#[derive(Serialize)]
-#[serde(remote = "ChainStep")]
-pub(crate) struct ChainStepKeys {
-    name: &'static str,
-    words: &'static str,
-    section: &'static str,
-    samples: usize,
-    position_mean_m: f64,
-    rotation_mean_rad: f64,
-    length_mean_abs_m: f64,
-    #[serde(rename = "tension_mean_norm_N")]
-    tension_mean_norm: Option<f64>,
-    #[serde(rename = "tension_range_N")]
-    tension_range: Option<[f64; 2]>,
-    slack_samples: Option<usize>,
-    #[serde(with = "Maybe::<IdentifiedKeys>")]
-    identified: Option<Identified>,
-}
-
-/// Size and condition of an identification.
-#[derive(Serialize)]
-#[serde(remote = "Identified")]
-struct IdentifiedKeys {
-    parameter_count: usize,
-    rank: usize,
-    condition: f64,
-    condition_scaled: f64,
-    iterations: u32,
 }
 
 /// Robots under all models.
@@ -211,7 +178,6 @@ struct QuantileKeys {
 
 tables!(
     RoundKeys: Round,
-    IdentifiedKeys: Identified,
     BenchmarkRowKeys: BenchmarkRow,
     BenchmarkErrorKeys: BenchmarkErrors,
     KindInfluenceKeys: KindInfluence,
