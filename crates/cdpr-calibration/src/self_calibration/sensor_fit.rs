@@ -1,7 +1,5 @@
 //! How well each sensor agrees with a calibrated robot, and accuracies that the residuals tell.
 
-use serde::Serialize;
-
 use super::question::Question;
 use super::vectors::Sensing;
 use super::written::Written;
@@ -9,7 +7,7 @@ use crate::objective::Sensor;
 use cdpr_model::measurement::SensorSigmas;
 
 /// Residuals of one sensor.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SensorFit {
     /// `length`, `tension`, `swivel` or `rotation`.
     pub sensor: &'static str,
