@@ -26,8 +26,51 @@ macro_rules! tables {
 }
 pub(crate) use tables;
 
+/// Tables of keys that need no schema: `Keys of Value { field, field = "key", field by OtherKeys, field.name() }`. A field stands under its own name or the key
+/// that follows, written as it is, by another table, or as the text of a method.
+macro_rules! keys {
+    ($($(#[$doc:meta])* $keys:ident of $value:ty {
+        $($field:ident $(.$text:ident())? $(= $key:literal)? $(by $table:ty)?),+ $(,)?
+    })+) => {$(
+        $(#[$doc])*
+        pub(crate) struct $keys;
+
+        impl $keys {
+            pub(crate) fn serialize<S: serde::Serializer>(value: &$value, serializer: S) -> Result<S::Ok, S::Error> {
+                let mut map = serializer.serialize_map(None)?;
+                $($crate::keys::adapters::entry!(map, value.$field, [$($text)?], [$($key)?], [$($table)?]);)+
+                serde::ser::SerializeMap::end(map)
+            }
+        }
+
+        $crate::keys::adapters::tables!($keys: $value);
+    )+};
+}
+pub(crate) use keys;
+
+/// Entry of a table that [`keys`] makes.
+macro_rules! entry {
+    ($map:ident, $value:ident.$field:ident, $text:tt, [], $table:tt) => {
+        $crate::keys::adapters::entry!($map, $value.$field, $text, [stringify!($field)], $table)
+    };
+    ($map:ident, $value:ident.$field:ident, [], [$key:expr], []) => {
+        serde::ser::SerializeMap::serialize_entry(&mut $map, $key, &$value.$field)?
+    };
+    ($map:ident, $value:ident.$field:ident, [$text:ident], [$key:expr], []) => {
+        serde::ser::SerializeMap::serialize_entry(&mut $map, $key, &$value.$field.$text())?
+    };
+    ($map:ident, $value:ident.$field:ident, [], [$key:expr], [$table:ty]) => {
+        serde::ser::SerializeMap::serialize_entry(
+            &mut $map,
+            $key,
+            &$crate::keys::adapters::Written(&$value.$field, std::marker::PhantomData::<$table>),
+        )?
+    };
+}
+pub(crate) use entry;
+
 /// A value with its table.
-struct Written<'a, T: ?Sized, K>(&'a T, PhantomData<K>);
+pub(crate) struct Written<'a, T: ?Sized, K>(pub(crate) &'a T, pub(crate) PhantomData<K>);
 
 impl<T: ?Sized, K: Keys<T>> Serialize for Written<'_, T, K> {
     fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
@@ -65,6 +108,12 @@ impl<K> Maybe<K> {
             Some(value) => serializer.serialize_some(&Written(value, PhantomData::<K>)),
             None => serializer.serialize_none(),
         }
+    }
+}
+
+impl<T, K: Keys<T>> Keys<Option<T>> for Maybe<K> {
+    fn write<S: Serializer>(value: &Option<T>, serializer: S) -> Result<S::Ok, S::Error> {
+        Self::serialize(value, serializer)
     }
 }
 

@@ -3,12 +3,12 @@
 use cdpr_calibration::fit::{Estimate, Fit};
 use cdpr_calibration::{
     ActiveSample, Analysis, Certificate, Correlation, FrameEstimate, Gauge, Loss, Outlier, RecordingFrames,
-    StartOptimum, Starts, StoppedBy, StoppingRule,
+    StartOptimum, Starts, StoppedBy,
 };
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::adapters::{nullable_numbers, tables};
+use super::adapters::{keys, nullable_numbers, tables};
 use super::{Each, Maybe, Word};
 
 /// Identified parameter.
@@ -34,15 +34,6 @@ pub(crate) struct EstimateKeys {
     at_bound: bool,
 }
 
-/// Two parameters that the data hardly separate.
-#[derive(Serialize)]
-#[serde(remote = "Correlation")]
-struct CorrelationKeys {
-    first: String,
-    second: String,
-    coefficient: f64,
-}
-
 /// Rank and condition of the Jacobian.
 #[derive(Serialize, JsonSchema)]
 #[serde(remote = "Analysis")]
@@ -61,16 +52,6 @@ struct DeterminationKeys {
     weak_deviation: f64,
 }
 
-/// Parameters that are told apart badly, and the width of intervals.
-#[derive(Serialize)]
-#[serde(remote = "Analysis")]
-struct SeparationKeys {
-    #[serde(with = "Each::<CorrelationKeys>")]
-    correlations: Vec<Correlation>,
-    /// Half width of a 95 % interval of a parameter in standard deviations.
-    quantile_95: f64,
-}
-
 /// Sample beyond 8 robust standard deviations.
 #[derive(Serialize, JsonSchema)]
 #[serde(remote = "Outlier")]
@@ -84,38 +65,6 @@ pub(crate) struct OutlierKeys {
     /// Weight that the loss leaves to it.
     weight: f64,
     reason: String,
-}
-
-/// End of a search by a rule.
-#[derive(Serialize)]
-#[serde(remote = "StoppedBy")]
-struct StoppedByKeys {
-    rule: StoppingRule,
-    value: f64,
-    limit: f64,
-}
-
-/// Optima that the starts of a fit led to.
-#[derive(Serialize)]
-#[serde(remote = "Starts")]
-struct StartsKeys {
-    count: usize,
-    unconverged: usize,
-    ranges: Vec<String>,
-    #[serde(with = "Each::<StartOptimumKeys>")]
-    optima: Vec<StartOptimum>,
-}
-
-/// Optimum that some of the starts led to.
-#[derive(Serialize)]
-#[serde(remote = "StartOptimum")]
-struct StartOptimumKeys {
-    cost: f64,
-    starts: usize,
-    #[serde(rename = "share")]
-    fraction: f64,
-    spread_m: f64,
-    distance_m: f64,
 }
 
 /// Frame with its standard deviations.
@@ -226,25 +175,6 @@ pub(crate) struct FitKeys {
     certificate: Option<Certificate>,
 }
 
-/// Samples whose norms no change of the parameters makes smaller together.
-#[derive(Serialize)]
-#[serde(remote = "Certificate")]
-struct CertificateKeys {
-    largest: f64,
-    #[serde(with = "Each::<ActiveSampleKeys>")]
-    active: Vec<ActiveSample>,
-    subgradient: f64,
-    gap: f64,
-}
-
-/// Sample that holds the largest norm up.
-#[derive(Serialize)]
-#[serde(remote = "ActiveSample")]
-struct ActiveSampleKeys {
-    sample: usize,
-    multiplier: f64,
-}
-
 fn itself(fit: &Fit) -> &Fit {
     fit
 }
@@ -263,11 +193,24 @@ fn clock_offset_sigma(fit: &Fit) -> Option<f64> {
 
 tables!(
     EstimateKeys: Estimate,
-    CorrelationKeys: Correlation,
     OutlierKeys: Outlier,
-    StartOptimumKeys: StartOptimum,
     FrameKeys: FrameEstimate,
     RecordingFrameKeys: RecordingFrames,
-    CertificateKeys: Certificate,
-    ActiveSampleKeys: ActiveSample,
 );
+
+keys! {
+    /// Two parameters that the data hardly separate.
+    CorrelationKeys of Correlation { first, second, coefficient }
+    /// Parameters that are told apart badly, and the width of intervals.
+    SeparationKeys of Analysis { correlations by Each<CorrelationKeys>, quantile_95 }
+    /// End of a search by a rule.
+    StoppedByKeys of StoppedBy { rule, value, limit }
+    /// Optima that the starts of a fit led to.
+    StartsKeys of Starts { count, unconverged, ranges, optima by Each<StartOptimumKeys> }
+    /// Optimum that some of the starts led to.
+    StartOptimumKeys of StartOptimum { cost, starts, fraction = "share", spread_m, distance_m }
+    /// Samples whose norms no change of the parameters makes smaller together.
+    CertificateKeys of Certificate { largest, active by Each<ActiveSampleKeys>, subgradient, gap }
+    /// Sample that holds the largest norm up.
+    ActiveSampleKeys of ActiveSample { sample, multiplier }
+}

@@ -2,15 +2,14 @@
 
 use cdpr_calibration::fit::Fit;
 use cdpr_calibration::{Comparison, ErrorBlocks, GaugeFixing, ObjectiveValues, SelfCalibration, SensorFit};
-use cdpr_calibration::{Minimize, Objective};
-use cdpr_model::control::PoseErrorStatistics;
+use cdpr_model::reading::Keyword;
 use cdpr_study::accuracy::Accuracy;
 use cdpr_study::{Identification, JudgedOptimum, OptimumOf};
 use serde::Serialize;
 
-use super::adapters::tables;
+use super::adapters::{keys, tables};
 use super::fit::{FitKeys, PoselessFitKeys};
-use super::{Each, ErrorBlockKeys, Maybe, PoseErrorKeys, Word};
+use super::{Each, ErrorBlockKeys, Maybe, PoseErrorKeys};
 
 /// Fit with the errors that judge it.
 #[derive(Serialize)]
@@ -34,17 +33,6 @@ pub(crate) struct IdentificationKeys {
     objective_values_before: ObjectiveValues,
 }
 
-/// Norms of the residual vectors of samples.
-#[derive(Serialize)]
-#[serde(remote = "ObjectiveValues")]
-struct ObjectiveKeys {
-    #[serde(with = "PoseErrorKeys")]
-    length_norm_m: PoseErrorStatistics,
-    #[serde(with = "PoseErrorKeys")]
-    pose_norm_m: PoseErrorStatistics,
-    rotation_length_m: f64,
-}
-
 /// Optimum of an objective, or the model as given, judged by all objectives.
 #[derive(Serialize)]
 #[serde(remote = "JudgedOptimum")]
@@ -60,16 +48,6 @@ pub(crate) struct OptimumKeys {
     driven: Option<Accuracy>,
     #[serde(skip_serializing_if = "Option::is_none")]
     not_driven: Option<String>,
-}
-
-/// Objective and cost of an optimum.
-#[derive(Serialize)]
-#[serde(remote = "OptimumOf")]
-struct OptimumOfKeys {
-    #[serde(with = "Word")]
-    objective: Objective,
-    #[serde(with = "Word")]
-    minimize: Minimize,
 }
 
 /// Robot calibrated by its own sensors.
@@ -89,44 +67,19 @@ pub(crate) struct SelfCalibrationKeys {
     gauge: GaugeFixing,
 }
 
-/// Residuals of a sensor, in its `unit`.
-#[derive(Serialize)]
-#[serde(remote = "SensorFit")]
-struct SensorKeys {
-    sensor: &'static str,
-    unit: &'static str,
-    rms: f64,
-    sigma: f64,
-    is_stated: bool,
-    rows: usize,
-    redundancy: f64,
-}
-
-/// Motions that no row sees, and the convention that fixes them.
-#[derive(Serialize)]
-#[serde(remote = "GaugeFixing")]
-struct GaugeFixingKeys {
-    kind: &'static str,
-    free: Vec<&'static str>,
-    motions: Vec<String>,
-    held: Vec<String>,
-    at_origin: bool,
-}
-
-/// Anchors beside those of another robot.
-#[derive(Serialize)]
-#[serde(remote = "Comparison")]
-pub(crate) struct ComparisonKeys {
-    robot: String,
-    rms_m: f64,
-    distance_m: Vec<f64>,
-    scale: f64,
-    is_mirrored: bool,
-}
-
 tables!(
     OptimumKeys: JudgedOptimum,
-    OptimumOfKeys: OptimumOf,
-    SensorKeys: SensorFit,
-    ComparisonKeys: Comparison,
 );
+
+keys! {
+    /// Norms of the residual vectors of samples.
+    ObjectiveKeys of ObjectiveValues { length_norm_m by PoseErrorKeys, pose_norm_m by PoseErrorKeys, rotation_length_m }
+    /// Objective and cost of an optimum.
+    OptimumOfKeys of OptimumOf { objective.name(), minimize.name() }
+    /// Residuals of a sensor, in its `unit`.
+    SensorKeys of SensorFit { sensor, unit, rms, sigma, is_stated, rows, redundancy }
+    /// Motions that no row sees, and the convention that fixes them.
+    GaugeFixingKeys of GaugeFixing { kind, free, motions, held, at_origin }
+    /// Anchors beside those of another robot.
+    ComparisonKeys of Comparison { robot, rms_m, distance_m, scale, is_mirrored }
+}

@@ -1,7 +1,7 @@
 //! Keys of library values in answers.
 //!
 //! Library values have plain names and no format. A table of keys is a struct with those fields of a value that answers tell, under their keys:
-//! with `#[serde(remote)]` it writes the value itself, so that an answer holds what the library gave and nothing is copied. `with = "PoseErrorKeys"` on a
+//! with `#[serde(remote)]` or [`adapters::keys`] it writes the value itself, so that an answer holds what the library gave and nothing is copied. `with = "PoseErrorKeys"` on a
 //! field of an answer says so for a value, [`Each`] for a list, [`Maybe`] for an optional value, [`Word`] for a choice that has a name.
 
 mod adapters;

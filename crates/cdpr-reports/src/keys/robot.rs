@@ -1,22 +1,11 @@
 //! Robots and their files.
 
-use cdpr_model::robot::caspr::{Finding, Loss};
-use serde::Serialize;
+use cdpr_model::reading::Keyword;
+use cdpr_model::robot::caspr::Finding;
 
-use super::Word;
-use super::adapters::tables;
+use super::adapters::keys;
 
-/// Element of another program's model that the robot lacks wholly or in part.
-#[derive(Serialize)]
-#[serde(remote = "Finding")]
-pub(crate) struct FindingKeys {
-    #[serde(with = "Word")]
-    loss: Loss,
-    element: String,
-    name: Option<String>,
-    file: String,
-    line: usize,
-    why: String,
+keys! {
+    /// Element of another program's model that the robot lacks wholly or in part.
+    FindingKeys of Finding { loss.name(), element, name, file, line, why }
 }
-
-tables!(FindingKeys: Finding);

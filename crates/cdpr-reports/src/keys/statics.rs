@@ -3,50 +3,13 @@
 use cdpr_calibration::ErrorBlocks;
 use cdpr_calibration::compensation::Judged;
 use cdpr_model::compensation::{Beyond, Extent};
+use cdpr_model::reading::Keyword;
 use cdpr_model::tension::quadratic::Certificate;
-use cdpr_study::effects::{Displacement, DisplacementMethod};
+use cdpr_study::effects::Displacement;
 use serde::Serialize;
 
-use super::adapters::tables;
-use super::{BeyondKeys, ErrorBlockKeys, Word};
-
-/// Direction in which the load asks for more than the cables can give.
-#[derive(Serialize)]
-#[serde(remote = "Certificate")]
-pub(crate) struct InfeasibilityKeys {
-    direction: Vec<f64>,
-    weights: Vec<f64>,
-    #[serde(rename = "required_N")]
-    required: f64,
-    #[serde(rename = "reachable_N")]
-    reachable: f64,
-}
-
-/// Displacement of the platform and change of the tensions.
-#[derive(Serialize)]
-#[serde(remote = "Displacement")]
-pub(crate) struct DisplacementKeys {
-    #[serde(rename = "translation_m")]
-    translation: f64,
-    #[serde(rename = "rotation_rad")]
-    rotation: f64,
-    #[serde(rename = "tension_change_N")]
-    tension: Option<f64>,
-    #[serde(rename = "slack_cables")]
-    slack: usize,
-    #[serde(with = "Word")]
-    method: DisplacementMethod,
-}
-
-/// Range of the samples of a map along one coordinate, in its `unit`.
-#[derive(Serialize)]
-#[serde(remote = "Extent")]
-pub(crate) struct ExtentKeys {
-    axis: &'static str,
-    unit: &'static str,
-    ends: [f64; 2],
-    margin: f64,
-}
+use super::adapters::keys;
+use super::{BeyondKeys, ErrorBlockKeys};
 
 /// Errors without a map and with maps of the other samples.
 #[derive(Serialize)]
@@ -63,8 +26,14 @@ pub(crate) struct JudgedMapKeys {
     gain_standard_error_m2: f64,
 }
 
-tables!(
-    InfeasibilityKeys: Certificate,
-    DisplacementKeys: Displacement,
-    ExtentKeys: Extent,
-);
+keys! {
+    /// Direction in which the load asks for more than the cables can give.
+    InfeasibilityKeys of Certificate { direction, weights, required = "required_N", reachable = "reachable_N" }
+    /// Displacement of the platform and change of the tensions.
+    DisplacementKeys of Displacement {
+        translation = "translation_m", rotation = "rotation_rad", tension = "tension_change_N",
+        slack = "slack_cables", method.name(),
+    }
+    /// Range of the samples of a map along one coordinate, in its `unit`.
+    ExtentKeys of Extent { axis, unit, ends, margin }
+}

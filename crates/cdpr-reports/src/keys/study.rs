@@ -7,7 +7,7 @@ use cdpr_study::field::Summary;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::adapters::{nullable_numbers, tables};
+use super::adapters::{keys, nullable_numbers, tables};
 use super::{Maybe, PoseErrorKeys, TensionErrorKeys};
 
 /// Numbers of poses at which a map does not act fully.
@@ -64,38 +64,18 @@ struct MappedSummaryKeys {
     without: Summary,
 }
 
-/// Errors of one controller minus those of another.
-#[derive(Serialize)]
-#[serde(remote = "Difference")]
-#[expect(non_snake_case, reason = "the fields are the keys, units included")]
-pub(crate) struct DifferenceKeys {
-    samples: usize,
-    compared: usize,
-    better: usize,
-    worse: usize,
-    #[serde(with = "ErrorChangeKeys")]
-    position_error_m: ErrorChange,
-    #[serde(with = "ErrorChangeKeys")]
-    rotation_error_rad: ErrorChange,
-    #[serde(with = "Maybe::<ErrorChangeKeys>")]
-    tension_error_N: Option<ErrorChange>,
-}
-
-/// Error of two controllers at the same poses.
-#[derive(Serialize)]
-#[serde(remote = "ErrorChange")]
-struct ErrorChangeKeys {
-    #[serde(with = "PoseErrorKeys")]
-    own: PoseErrorStatistics,
-    #[serde(with = "PoseErrorKeys")]
-    other: PoseErrorStatistics,
-    mean_change: f64,
-    relative_change: Option<f64>,
-    largest_gain: f64,
-    largest_loss: f64,
-}
-
 tables!(
     MappedSummaryKeys: MapEffect<Summary>,
-    ErrorChangeKeys: ErrorChange,
 );
+
+keys! {
+    /// Errors of one controller minus those of another.
+    DifferenceKeys of Difference {
+        samples, compared, better, worse, position_error_m by ErrorChangeKeys, rotation_error_rad by ErrorChangeKeys,
+        tension_error_N by Maybe<ErrorChangeKeys>,
+    }
+    /// Error of two controllers at the same poses.
+    ErrorChangeKeys of ErrorChange {
+        own by PoseErrorKeys, other by PoseErrorKeys, mean_change, relative_change, largest_gain, largest_loss,
+    }
+}

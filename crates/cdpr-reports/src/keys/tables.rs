@@ -1,186 +1,60 @@
 //! Rows of campaigns, chains, benchmarks and tolerances.
 
-use cdpr_calibration::ErrorBlocks;
-use cdpr_calibration::fit::Status;
-use cdpr_study::accuracy::Accuracy;
+use cdpr_model::reading::Keyword;
 use cdpr_study::benchmark::{Benchmark, BenchmarkErrors, BenchmarkRow, BenchmarkRules};
 use cdpr_study::campaign::Round;
-use cdpr_study::sensitivity::{Kind, KindInfluence, Side};
+use cdpr_study::sensitivity::{Kind, KindInfluence};
 use cdpr_study::sweep::Row;
-use cdpr_study::tolerance::{Allowance, Engine, MonteCarlo, Quantiles};
-use serde::Serialize;
+use cdpr_study::tolerance::{Allowance, MonteCarlo, Quantiles};
 
-use super::adapters::tables;
-use super::{Each, ErrorBlockKeys, Maybe, Word};
-
-/// Round of a campaign.
-#[derive(Serialize)]
-#[serde(remote = "Round")]
-pub(crate) struct RoundKeys {
-    round: usize,
-    poses: usize,
-    new_poses: usize,
-    candidates: usize,
-    #[serde(with = "Maybe::<ErrorBlockKeys>")]
-    validation: Option<ErrorBlocks>,
-    #[serde(with = "ErrorBlockKeys")]
-    predicted: ErrorBlocks,
-    driven: Option<Accuracy>,
-    reach_share: f64,
-    deviation_m: Option<f64>,
-    parameter_count: usize,
-    rank: usize,
-    fit: Status,
-}
-
-/// Robots under all models.
-#[derive(Serialize)]
-#[serde(remote = "Benchmark")]
-pub(crate) struct BenchmarkKeys {
-    #[serde(with = "BenchmarkRuleKeys")]
-    rules: BenchmarkRules,
-    #[serde(with = "Each::<BenchmarkRowKeys>")]
-    rows: Vec<BenchmarkRow>,
-    left_out: Vec<(String, String)>,
-}
-
-/// Result of one robot under one control model.
-#[derive(Serialize)]
-#[serde(remote = "BenchmarkRow")]
-struct BenchmarkRowKeys {
-    robot: String,
-    motion_pattern: &'static str,
-    cables: usize,
-    machine: String,
-    model: String,
-    poses: usize,
-    diagonal_m: f64,
-    #[serde(with = "BenchmarkErrorKeys")]
-    nominal: BenchmarkErrors,
-    parameter_count: usize,
-    samples: usize,
-    #[serde(with = "Maybe::<BenchmarkErrorKeys>")]
-    identified: Option<BenchmarkErrors>,
-    reason: Option<String>,
-}
-
-/// Errors over the poses, driven on the machine without sensor noise.
-#[derive(Serialize)]
-#[serde(remote = "BenchmarkErrors")]
-#[expect(non_snake_case, reason = "the fields are the keys, units included")]
-struct BenchmarkErrorKeys {
-    position_mean_m: f64,
-    position_max_m: f64,
-    position_relative: f64,
-    rotation_mean_rad: Option<f64>,
-    length_mean_abs_m: f64,
-    tension_mean_norm_N: Option<f64>,
-    reach_share: f64,
-}
-
-/// Deviations of machines, positions of poses and sensors of the benchmark.
-#[derive(Serialize)]
-#[serde(remote = "BenchmarkRules")]
-struct BenchmarkRuleKeys {
-    anchor_deviation: f64,
-    stiffness_deviation: f64,
-    strain_at_largest_tension: f64,
-    box_share: f64,
-    turned_poses: usize,
-    turn_rad: f64,
-    measured_poses: usize,
-    position_m: f64,
-    rotation_rad: f64,
-    length_m: f64,
-    tension_share: f64,
-    seed: u64,
-}
-
-/// Point of a sweep, without the sizes whose unit depends on the robot.
-#[derive(Serialize)]
-#[serde(remote = "Row")]
-pub(crate) struct SweepRowKeys {
-    point: usize,
-    values: Vec<f64>,
-    cells: u64,
-    reason: Option<String>,
-}
-
-/// Influence of a kind of deviation over the poses.
-#[derive(Serialize)]
-#[serde(remote = "KindInfluence")]
-pub(crate) struct KindInfluenceKeys {
-    side: Side,
-    #[serde(serialize_with = "kind")]
-    kind: Kind,
-    count: usize,
-    unit: &'static str,
-    #[serde(rename = "position_rms_m_per_unit")]
-    position_rms: f64,
-    #[serde(rename = "position_max_m_per_unit")]
-    position_max: f64,
-}
-
-/// Tolerances of one kind, in its `unit`.
-#[derive(Serialize)]
-#[serde(remote = "Allowance")]
-pub(crate) struct AllowanceKeys {
-    side: Side,
-    #[serde(serialize_with = "kind")]
-    kind: Kind,
-    unit: &'static str,
-    #[serde(rename = "sigma_alone")]
-    alone: f64,
-    #[serde(rename = "worst_case_alone")]
-    alone_worst_case: f64,
-    #[serde(rename = "sigma_joint")]
-    joint: Option<f64>,
-    #[serde(rename = "worst_case_joint")]
-    joint_worst_case: Option<f64>,
-}
+use super::adapters::keys;
+use super::{Each, ErrorBlockKeys, Maybe};
 
 pub(crate) fn kind<S: serde::Serializer>(kind: &Kind, serializer: S) -> Result<S::Ok, S::Error> {
     serializer.collect_str(kind)
 }
 
-/// Statistics of drawn robots.
-#[derive(Serialize)]
-#[serde(remote = "MonteCarlo")]
-pub(crate) struct MonteCarloKeys {
-    #[serde(with = "Word")]
-    engine: Engine,
-    robots: usize,
-    unanswered: usize,
-    reason: Option<String>,
-    #[serde(rename = "position_error_m", with = "QuantileKeys")]
-    error: Quantiles,
-    #[serde(rename = "rotation_error_rad", with = "QuantileKeys")]
-    rotation_error: Quantiles,
-    #[serde(rename = "deviation_m", with = "QuantileKeys")]
-    deviation: Quantiles,
-    #[serde(rename = "mean_of_robot_m", with = "QuantileKeys")]
-    mean_of_robot: Quantiles,
-    #[serde(rename = "max_of_robot_m", with = "QuantileKeys")]
-    max_of_robot: Quantiles,
+keys! {
+    /// Round of a campaign.
+    RoundKeys of Round {
+        round, poses, new_poses, candidates, validation by Maybe<ErrorBlockKeys>, predicted by ErrorBlockKeys,
+        driven, reach_share, deviation_m, parameter_count, rank, fit,
+    }
+    /// Robots under all models.
+    BenchmarkKeys of Benchmark { rules by BenchmarkRuleKeys, rows by Each<BenchmarkRowKeys>, left_out }
+    /// Result of one robot under one control model.
+    BenchmarkRowKeys of BenchmarkRow {
+        robot, motion_pattern, cables, machine, model, poses, diagonal_m, nominal by BenchmarkErrorKeys,
+        parameter_count, samples, identified by Maybe<BenchmarkErrorKeys>, reason,
+    }
+    /// Errors over the poses, driven on the machine without sensor noise.
+    BenchmarkErrorKeys of BenchmarkErrors {
+        position_mean_m, position_max_m, position_relative, rotation_mean_rad, length_mean_abs_m,
+        tension_mean_norm_N, reach_share,
+    }
+    /// Deviations of machines, positions of poses and sensors of the benchmark.
+    BenchmarkRuleKeys of BenchmarkRules {
+        anchor_deviation, stiffness_deviation, strain_at_largest_tension, box_share, turned_poses, turn_rad,
+        measured_poses, position_m, rotation_rad, length_m, tension_share, seed,
+    }
+    /// Point of a sweep, without the sizes whose unit depends on the robot.
+    SweepRowKeys of Row { point, values, cells, reason }
+    /// Influence of a kind of deviation over the poses.
+    KindInfluenceKeys of KindInfluence {
+        side, kind.to_string(), count, unit, position_rms = "position_rms_m_per_unit",
+        position_max = "position_max_m_per_unit",
+    }
+    /// Tolerances of one kind, in its `unit`.
+    AllowanceKeys of Allowance {
+        side, kind.to_string(), unit, alone = "sigma_alone", alone_worst_case = "worst_case_alone",
+        joint = "sigma_joint", joint_worst_case = "worst_case_joint",
+    }
+    /// Statistics of drawn robots.
+    MonteCarloKeys of MonteCarlo {
+        engine.name(), robots, unanswered, reason, error = "position_error_m" by QuantileKeys,
+        rotation_error = "rotation_error_rad" by QuantileKeys, deviation = "deviation_m" by QuantileKeys,
+        mean_of_robot = "mean_of_robot_m" by QuantileKeys, max_of_robot = "max_of_robot_m" by QuantileKeys,
+    }
+    /// Mean and quantiles of a set of numbers.
+    QuantileKeys of Quantiles { mean, rms, median, p95, p99, max }
 }
-
-/// Mean and quantiles of a set of numbers.
-#[derive(Serialize)]
-#[serde(remote = "Quantiles")]
-struct QuantileKeys {
-    mean: f64,
-    rms: f64,
-    median: f64,
-    p95: f64,
-    p99: f64,
-    max: f64,
-}
-
-tables!(
-    RoundKeys: Round,
-    BenchmarkRowKeys: BenchmarkRow,
-    BenchmarkErrorKeys: BenchmarkErrors,
-    KindInfluenceKeys: KindInfluence,
-    AllowanceKeys: Allowance,
-    MonteCarloKeys: MonteCarlo,
-);
