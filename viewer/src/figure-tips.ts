@@ -1,6 +1,6 @@
 // Tips of the figures that come drawn in the page: what a mark says, at the pointer and by arrow keys.
 import { element } from "./controls";
-import type { PageData } from "./data";
+import type { ReportData } from "./data";
 import { significant } from "./number";
 import { nextMark } from "./tips";
 
@@ -15,7 +15,7 @@ interface Mark {
 const REACH = 40;
 
 /** Offers the tips of every figure of the page. */
-export function offerFigureTips(data: PageData): void {
+export function offerFigureTips(data: ReportData): void {
   const tip = element("div", "", "tip");
   tip.hidden = true;
   tip.setAttribute("role", "status");
@@ -71,15 +71,16 @@ function titled(figure: SVGSVGElement): Mark[] {
 }
 
 /** Cells of the correlations: the drawing says where they lie, the data what they are. */
-function cells(figure: SVGSVGElement, data: PageData): Mark[] {
+function cells(figure: SVGSVGElement, data: ReportData): Mark[] {
   const [left, top, side] = (figure.dataset.cells ?? "").split(" ").map(Number);
-  const map = data.correlation;
-  if (!map || left === undefined || top === undefined || side === undefined) return [];
-  return map.lower.flatMap((values, row) =>
+  const lower = data.correlation;
+  const names = data.result.candidates[data.shown]?.parameters?.map((parameter) => parameter.name) ?? [];
+  if (!lower || left === undefined || top === undefined || side === undefined) return [];
+  return lower.flatMap((values, row) =>
     values.map((value, column) => ({
       x: left + side * (column + 0.5),
       y: top + side * (row + 0.5),
-      words: `${map.names[row]}\n${map.names[column]}\n${value === null ? "not determined" : `correlation ${significant(value, 3)}`}`,
+      words: `${names[row]}\n${names[column]}\n${value === null ? "not determined" : `correlation ${significant(value, 3)}`}`,
     })),
   );
 }

@@ -4,20 +4,21 @@ import { coverage } from "./charts/coverage";
 import { distribution } from "./charts/distribution";
 import { map } from "./charts/map";
 import { residuals } from "./charts/residuals";
-import { type PageData, readData } from "./data";
+import type { ReportData } from "./data";
 import { offerDefinitions } from "./definitions";
 import { fill } from "./figure";
 import { offerFigureTips } from "./figure-tips";
 import { offerFolding } from "./folding";
 import { offerPrinting } from "./printing";
 import { offerScrolling } from "./scrolling";
+import { readData } from "./reading";
 import { showRun } from "./run/page";
 import { showScene } from "./scene/scene";
 import { showStudy } from "./study/page";
 import { offerTheme } from "./theme";
 import { showWorkspace } from "./workspace/page";
 
-function drawAll(data: PageData): void {
+function drawAll(data: ReportData): void {
   if (!data.result.candidates[data.shown]) return;
   fill("residuals", (figure) => residuals(data, figure));
   fill("distribution", (figure) => distribution(data, figure));
@@ -32,10 +33,9 @@ offerTheme();
 offerDefinitions();
 offerPrinting();
 offerFolding();
-if (data && "page" in data) {
-  if (data.page === "study") showStudy(data);
-  else if (data.page === "run") showRun(data);
-  else showWorkspace(data);
-} else if (data) drawAll(data);
+if (data?.page === "study") showStudy(data);
+else if (data?.page === "run") showRun(data);
+else if (data?.page === "workspace") showWorkspace(data);
+else if (data) drawAll(data);
 offerScrolling();
 document.documentElement.dataset.drawn = "true";

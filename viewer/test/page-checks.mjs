@@ -259,7 +259,7 @@ async function charts(page, data) {
   const figures = {};
   if (shown.parameter_count > 0) figures.spectrum = shown.singular_values.filter((value) => value > 0).length;
   if (shown.history.length > 1) figures.convergence = Math.min(200, shown.history.length);
-  if (data.correlation?.names.length > 1) figures.correlation = (data.correlation.names.length * (data.correlation.names.length + 1)) / 2;
+  if (data.correlation?.length > 1) figures.correlation = (data.correlation.length * (data.correlation.length + 1)) / 2;
   if (data.result.candidates.length > 1) figures.ladder = data.result.candidates.filter((candidate) => Number.isFinite(candidate.criterion)).length;
   for (const [name, count] of Object.entries(figures)) {
     const drawn = await drawnMarks(page, name);

@@ -60,7 +60,7 @@ async function playing(page) {
 /** Every event and every broken limit has its mark with words. */
 async function timeLine(page, data) {
   const found = [];
-  for (const [kind, list] of [["event", data.events], ["violation", data.violations]]) {
+  for (const [kind, list] of [["event", data.events], ["violation", data.broken_limits]]) {
     const titles = await page.locator(`.time-line .${kind} title`).allTextContents();
     if (titles.length !== list.length) found.push(`${titles.length} marks of ${kind}s, not ${list.length}`);
     if (!list.every(({ words }) => titles.some((title) => title.includes(words)))) found.push(`a mark of ${kind}s lacks its words`);

@@ -9,9 +9,9 @@ export async function checkStudy(page, layout) {
     for (const complaint of await examine(page, data)) found.push(`${what}: ${complaint}`);
   };
   await check("drawing", drawings);
-  if (data.robot.planar) await check("layers", planeLayers);
+  if (data.robot.plane) await check("layers", planeLayers);
   else await check("layers", spaceLayers);
-  if (!data.robot.planar && data.regions.length > 0) await check("slices", slices);
+  if (!data.robot.plane && data.regions.length > 0) await check("slices", slices);
   await check("pointer", pointer);
   await check("keyboard", keyboard);
   await check("magnification", magnification);
@@ -29,7 +29,7 @@ async function drawings(page, data) {
   const broken = await page.locator(`${CHART} svg`).evaluateAll((all) => all.filter((svg) => /NaN|undefined|Infinity/.test(svg.outerHTML)).length);
   const found = broken > 0 ? [`${broken} drawings contain NaN, undefined or Infinity`] : [];
   const poses = await page.locator(`${CHART} [aria-description="commanded poses"] > *`).count();
-  const expected = data.samples.number.length * (data.robot.planar ? 1 : 3);
+  const expected = data.samples.number.length * (data.robot.plane ? 1 : 3);
   if (poses !== expected) found.push(`${poses} commanded poses are drawn, not ${expected}`);
   return found;
 }

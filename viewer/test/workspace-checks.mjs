@@ -9,14 +9,14 @@ export async function checkWorkspace(page, layout) {
     for (const complaint of await examine(page, data)) found.push(`${what}: ${complaint}`);
   };
   await check("start", nodesShowWhatWasComputed);
-  await check("mouse", data.robot.planar ? mouseOnPlane : mouseInSpace);
-  await check("keyboard", data.robot.planar ? keysOnPlane : keysInSpace);
-  await check("touch", data.robot.planar ? fingerOnPlane : fingerInSpace);
+  await check("mouse", data.robot.plane ? mouseOnPlane : mouseInSpace);
+  await check("keyboard", data.robot.plane ? keysOnPlane : keysInSpace);
+  await check("touch", data.robot.plane ? fingerOnPlane : fingerInSpace);
   await check("sliders", sliders);
   await check("failing pose", failingPose);
   await check("legend", legend);
   await check("drawings", drawings);
-  if (!data.robot.planar && data.regions.some((region) => region.triangles.length > 0)) {
+  if (!data.robot.plane && data.regions.some((region) => region.triangles.length > 0)) {
     await check("clip plane", clipPlane);
     await check("colours of surfaces", colouring);
   }
@@ -311,7 +311,7 @@ async function downloads(page, data) {
   const found = [];
   const svg = (await downloaded(page, "Save as SVG")).toString();
   if (!svg.startsWith("<svg") || svg.includes("var(") || !svg.includes("xmlns=")) found.push("the SVG is no drawing of its own");
-  if (data.robot.planar) return found;
+  if (data.robot.plane) return found;
   const png = await downloaded(page, "Save as PNG");
   if (png.subarray(1, 4).toString() !== "PNG" || png.length < 5000) found.push(`the PNG has ${png.length} bytes`);
   const hull = data.regions.find((region) => region.triangles.length > 0);

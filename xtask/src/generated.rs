@@ -14,11 +14,16 @@ struct Generated {
 
 const FILES: &[Generated] = &[
     Generated { path: "schemas/measurement.schema.json", command: &["schema", "measurement"] },
+    Generated { path: SCHEMA, command: &["schema", "page"] },
     Generated { path: "schemas/robot.schema.json", command: &["schema", "robot"] },
     Generated { path: "schemas/scenario.schema.json", command: &["schema", "scenario"] },
     Generated { path: "schemas/study.schema.json", command: &["schema", "study"] },
     Generated { path: "schemas/sweep.schema.json", command: &["schema", "sweep"] },
 ];
+
+/// Types of the data that pages draw from, for `viewer/`, and the schema that they are made of.
+const TYPES: &str = "viewer/src/data.ts";
+const SCHEMA: &str = "schemas/page.schema.json";
 
 /// Complains of every file that differs from what the program writes now.
 pub(crate) fn check(root: &Path) -> Outcome {
@@ -31,13 +36,13 @@ pub(crate) fn check(root: &Path) -> Outcome {
             Ok(expected) => expected,
             Err(message) => return Some(message),
         };
-        match std::fs::read(root.join(file.path)) {
-            Ok(found) if found == expected => None,
-            Ok(_) => Some(format!("{} is out of date", file.path)),
-            Err(error) => Some(format!("{}: {error}", file.path)),
-        }
+        stale(root, file.path, &expected)
     });
-    let mut outcome = Outcome::of(complaints.chain(notices::check(root)).collect());
+    let types = match types(root) {
+        Ok(types) => stale(root, TYPES, &types),
+        Err(message) => Some(message),
+    };
+    let mut outcome = Outcome::of(complaints.chain(types).chain(notices::check(root)).collect());
     outcome.add(dist::licences(root));
     outcome
 }
@@ -46,14 +51,39 @@ pub(crate) fn check(root: &Path) -> Outcome {
 pub(crate) fn write(root: &Path) -> Result<(), String> {
     let program = cargo::the_command(root)?;
     for file in FILES {
-        let path = root.join(file.path);
-        if let Some(folder) = path.parent() {
-            std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
-        }
-        std::fs::write(&path, output(root, &program, file)?).map_err(|error| format!("{}: {error}", path.display()))?;
-        println!("wrote {}", file.path);
+        put(root, file.path, &output(root, &program, file)?)?;
     }
+    put(root, TYPES, &types(root)?)?;
     notices::write(root)
+}
+
+/// Complaint of a file that is not what it should be.
+fn stale(root: &Path, path: &str, expected: &[u8]) -> Option<String> {
+    match std::fs::read(root.join(path)) {
+        Ok(found) if found == expected => None,
+        Ok(_) => Some(format!("{path} is out of date")),
+        Err(error) => Some(format!("{path}: {error}")),
+    }
+}
+
+fn put(root: &Path, name: &str, content: &[u8]) -> Result<(), String> {
+    let path = root.join(name);
+    if let Some(folder) = path.parent() {
+        std::fs::create_dir_all(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    }
+    std::fs::write(&path, content).map_err(|error| format!("{}: {error}", path.display()))?;
+    println!("wrote {name}");
+    Ok(())
+}
+
+/// Types of the committed schema.
+fn types(root: &Path) -> Result<Vec<u8>, String> {
+    let output = cargo::command(root, &["run", "--quiet", "-p", "page-types", "--", SCHEMA]).output();
+    let output = output.map_err(|error| format!("cannot start cargo: {error}"))?;
+    match output.status.success() {
+        true => Ok(output.stdout),
+        false => Err(format!("{TYPES}: {}", String::from_utf8_lossy(&output.stderr).trim())),
+    }
 }
 
 fn output(root: &Path, program: &Path, file: &Generated) -> Result<Vec<u8>, String> {

@@ -3,8 +3,6 @@
 //! The cost of the best fit is a function of the offset, whose minimum Newton steps find. Poses are moved along their velocities from the nearest one:
 //! straight interpolation would average their noise away, and with it what an offset is compared with.
 
-use serde::Serialize;
-
 use cdpr_model::geometry::{Pose, Twist};
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;
@@ -21,7 +19,7 @@ const STEP_END: f64 = 1e-4;
 const FEWEST: usize = 30;
 
 /// Offset of the clocks, as fitted.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ClockOffset {
     /// Positive: poses are recorded late (s).
     pub seconds: f64,

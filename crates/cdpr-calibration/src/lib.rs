@@ -56,7 +56,7 @@ pub use candidate::Candidate;
 pub use clock::ClockOffset;
 pub use clock_test::clock_warning;
 pub use course::{CourseStep, course};
-pub use coverage::{Coverage, coverage};
+pub use coverage::{Coverage, PoseRange, coverage};
 pub use cross_validation::{
     CrossValidation, CrossValidationError, cross_validate, cross_validation_fits, evaluate_given,
 };

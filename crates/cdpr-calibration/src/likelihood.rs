@@ -34,7 +34,7 @@ pub enum NoiseSource {
 }
 
 /// Likelihood and information criteria of a candidate (Akaike 1974, Schwarz 1978, Hurvich and Tsai 1989).
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Information {
     /// ln L of the rows at the optimum.
     pub log_likelihood: f64,

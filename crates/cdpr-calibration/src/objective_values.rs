@@ -3,13 +3,12 @@
 use cdpr_model::control::PoseErrorStatistics;
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;
-use serde::Serialize;
 
 use crate::evaluation::Evaluation;
 use crate::residual::default_length;
 
 /// Norms of the residual vectors of samples: their rms, mean and maximum are what the costs of both objectives minimise.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ObjectiveValues {
     /// 2-norm over the cables of a sample's length residuals (m).
     pub length_norm_m: PoseErrorStatistics,

@@ -1,7 +1,5 @@
 //! Samples that lie beyond 8 robust standard deviations, named.
 
-use serde::Serialize;
-
 use super::loss::Loss;
 use super::norms::{Extent, Norms, OUTLIER_DEVIATIONS};
 use cdpr_model::measurement::Samples;
@@ -15,7 +13,7 @@ const NAMED: usize = 5;
 const MANY: f64 = 0.1;
 
 /// A sample that lies beyond 8 robust standard deviations.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Outlier {
     /// Number of the sample in the data, from 1.
     pub sample: usize,

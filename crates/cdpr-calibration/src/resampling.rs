@@ -6,7 +6,6 @@ mod tests;
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
-use serde::Serialize;
 
 use super::autocorrelation::correlation_time;
 use super::bootstrap::block_length;
@@ -23,7 +22,7 @@ const DIFFERENT: f64 = 1.5;
 const NAMED: usize = 4;
 
 /// Parameters of data drawn anew, block by block.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Resampled {
     /// Replicates whose fit converged.
     pub replicates: usize,
@@ -38,7 +37,7 @@ pub struct Resampled {
 }
 
 /// Standard deviations of one parameter.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ResampledDeviation {
     /// Name.
     pub parameter: String,

@@ -30,7 +30,7 @@ pub enum StoppingRule {
 }
 
 /// End of a search by a rule with its number.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct StoppedBy {
     /// The rule.
     pub rule: StoppingRule,

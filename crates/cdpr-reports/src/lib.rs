@@ -31,8 +31,10 @@ pub mod explanations;
 pub mod figures;
 pub mod firmware;
 mod html_page;
+mod keys;
 mod named_file;
 pub mod number_format;
+mod page_schema;
 pub mod reachable;
 pub mod recording;
 pub mod report;
@@ -47,3 +49,4 @@ pub mod workspace_page;
 
 pub use html_page::PageError;
 pub use named_file::NamedFile;
+pub use page_schema::page_schema;

@@ -2,9 +2,11 @@
 
 use cdpr_study::sweep::Row;
 use serde::Serialize;
+use serde_json::{Map, Value, json};
 
-use crate::answers::{Answer, BEYOND_THE_WHOLE, is_beyond_the_whole};
+use crate::answers::{Answer, BEYOND_THE_WHOLE, is_beyond_the_whole, size_key};
 use crate::figures::{ShareCurve, Shares};
+use crate::keys::SweepRowKeys;
 use crate::number_format::{short, significant};
 use crate::table::Table;
 
@@ -28,14 +30,19 @@ pub struct SweepResult {
     /// Remark on shares above 100 %.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub remark: Option<&'static str>,
+    #[serde(skip)]
+    is_planar: bool,
 }
 
 /// A point of a sweep with its shares.
 #[derive(Serialize)]
 pub struct SweepPoint {
-    /// Values and sizes.
-    #[serde(flatten)]
+    /// Values and cells.
+    #[serde(flatten, with = "SweepRowKeys")]
     pub row: Row,
+    /// Sizes of the workspaces by their keys.
+    #[serde(flatten)]
+    pub sizes: Map<String, Value>,
     /// Size reached whatever the error, as a share of the physical workspace.
     pub share: Option<f64>,
     /// The same with each largest position error.
@@ -43,10 +50,16 @@ pub struct SweepPoint {
 }
 
 impl SweepPoint {
-    fn of(row: Row) -> Self {
+    fn of(row: Row, is_planar: bool) -> Self {
         let whole = row.physical.filter(|whole| *whole > 0.0);
         let share = |size: f64| whole.map(|whole| size / whole);
+        let sizes = [
+            (size_key("physical", is_planar), json!(row.physical)),
+            (size_key("reachable", is_planar), json!(row.reachable)),
+            (size_key("by_accuracy", is_planar), json!(row.by_accuracy)),
+        ];
         Self {
+            sizes: sizes.into_iter().collect(),
             share: row.reachable.and_then(share),
             share_by_accuracy: row.by_accuracy.iter().map(|size| share(*size)).collect(),
             row,
@@ -55,9 +68,15 @@ impl SweepPoint {
 }
 
 impl SweepResult {
-    /// Rows of a plan, named by its fingerprint, with the keys of its parameters and the largest position errors asked for (m).
-    pub fn new(plan: String, parameters: Vec<String>, position_error_max_m: Vec<f64>, rows: Vec<Row>) -> Self {
-        let rows: Vec<SweepPoint> = rows.into_iter().map(SweepPoint::of).collect();
+    /// Rows of a plan, named by its fingerprint, for a robot in a plane or in space, with the keys of its parameters and the largest position errors asked for (m).
+    pub fn new(
+        plan: String,
+        is_planar: bool,
+        parameters: Vec<String>,
+        position_error_max_m: Vec<f64>,
+        rows: Vec<Row>,
+    ) -> Self {
+        let rows: Vec<SweepPoint> = rows.into_iter().map(|row| SweepPoint::of(row, is_planar)).collect();
         let is_beyond = rows.iter().any(|row| is_beyond_the_whole(row.share));
         let reason = nowhere(&rows);
         Self {
@@ -66,6 +85,7 @@ impl SweepResult {
             plan,
             parameters,
             position_error_max_m,
+            is_planar,
             remark: is_beyond.then_some(BEYOND_THE_WHOLE),
             rows,
             files: Vec::new(),
@@ -75,13 +95,14 @@ impl SweepResult {
     /// Table of the points (CSV).
     pub fn csv(&self) -> String {
         let mut text = self.parameters.iter().map(|key| format!("\"{key}\"")).collect::<Vec<_>>().join(",");
-        text.push_str(",physical,reachable,share");
+        let [physical, reachable] = ["physical", "reachable"].map(|name| size_key(name, self.is_planar));
+        text.push_str(&format!(",{physical},{reachable},share"));
         for most in &self.position_error_max_m {
             text.push_str(&format!(",share_within_{most}_m"));
         }
         text.push_str(",reason\n");
         let number = |value: Option<f64>| value.map_or_else(String::new, |value| value.to_string());
-        for SweepPoint { row, share, share_by_accuracy } in &self.rows {
+        for SweepPoint { row, share, share_by_accuracy, .. } in &self.rows {
             let mut cells: Vec<String> = row.values.iter().map(f64::to_string).collect();
             cells.extend([number(row.physical), number(row.reachable), number(*share)]);
             let thresholds = 0..self.position_error_max_m.len();
@@ -122,7 +143,7 @@ impl Answer for SweepResult {
         let mut table = Table::with_heading(heading);
         let percent =
             |share: &Option<f64>| share.map_or_else(|| "–".to_owned(), |share| format!("{:.1} %", 100.0 * share));
-        for SweepPoint { row, share, share_by_accuracy } in &self.rows {
+        for SweepPoint { row, share, share_by_accuracy, .. } in &self.rows {
             let mut cells: Vec<String> = row.values.iter().map(|value| significant(*value, 5)).collect();
             cells.push(percent(share));
             cells.extend(

@@ -10,8 +10,6 @@ mod rules;
 #[cfg(test)]
 mod tests;
 
-use serde::Serialize;
-
 use crate::Experiment;
 use cdpr_calibration::fit::{self, Prior, fit};
 use cdpr_model::control::CommandedPose;
@@ -23,7 +21,7 @@ use rules::BenchmarkError;
 pub use rules::BenchmarkRules;
 
 /// Errors over the poses, driven on the machine without sensor noise.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(non_snake_case, reason = "the fields are the keys of the answer, units included")]
 pub struct BenchmarkErrors {
     /// Mean position error ε_x (m; eq. 3.4).
@@ -43,7 +41,7 @@ pub struct BenchmarkErrors {
 }
 
 /// Result of one robot under one control model.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct BenchmarkRow {
     /// Name of the robot.
     pub robot: String,
@@ -72,7 +70,7 @@ pub struct BenchmarkRow {
 }
 
 /// Results of all robots under all models.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Benchmark {
     /// Rules.
     pub rules: BenchmarkRules,

@@ -4,7 +4,6 @@
 #[cfg(test)]
 mod tests;
 
-use serde::Serialize;
 use thiserror::Error;
 
 use crate::Experiment;
@@ -19,7 +18,7 @@ use cdpr_model::control::{InputError, Outcome, Status as Rest};
 use cdpr_model::geometry::Pose;
 use cdpr_model::measurement::{Samples, Split};
 use cdpr_model::model::{FreeParameters, Model, ParameterError};
-use cdpr_model::reading::Keyword;
+use cdpr_model::reading::{Keyword, keywords};
 
 /// Number of parts of the record, each held out once.
 const PARTS: usize = 5;
@@ -57,7 +56,7 @@ pub enum CampaignError {
 }
 
 /// One round.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Round {
     /// Number of the round, from 1.
     pub round: usize,
@@ -88,8 +87,7 @@ pub struct Round {
 }
 
 /// End of a campaign.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum CampaignStatus {
     /// The error on held-out samples has reached the required accuracy.
     AccuracyReached,
@@ -102,6 +100,11 @@ pub enum CampaignStatus {
     /// The record of a round is missing.
     Waiting,
 }
+
+keywords!(
+    CampaignStatus: AccuracyReached = "accuracy-reached", BudgetSpent = "budget-spent", RoundsOver = "rounds-over",
+    NothingLeft = "nothing-left", Waiting = "waiting"
+);
 
 /// All rounds up to now.
 #[derive(Clone, Debug)]

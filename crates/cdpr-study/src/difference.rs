@@ -1,7 +1,5 @@
 //! Comparison of a controller's errors with those of another at the same poses of one machine (Figs. 4.1, 4.7).
 
-use serde::Serialize;
-
 use super::accuracy::Assessment;
 use cdpr_model::control::CommandedPose;
 use cdpr_model::control::Outcome;
@@ -14,7 +12,7 @@ const ROUNDING: f64 = 1e-9;
 
 /// Errors of one controller minus those of another, over the poses at which both bring the platform to rest; negative
 /// is better.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 #[expect(non_snake_case, reason = "the fields are the keys of the answer, units included")]
 pub struct Difference {
     /// Number of commanded poses.
@@ -33,15 +31,13 @@ pub struct Difference {
     /// the machine has its own.
     pub tension_error_N: Option<ErrorChange>,
     /// Change of the position error, pose by pose (m); `None` if one has no answer.
-    #[serde(skip)]
     pub position_change: Vec<Option<f64>>,
     /// Change of the rotation error, pose by pose (rad).
-    #[serde(skip)]
     pub rotation_change: Vec<Option<f64>>,
 }
 
 /// An error of two controllers at the same poses.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ErrorChange {
     /// Error of this controller.
     pub own: PoseErrorStatistics,

@@ -4,8 +4,6 @@ pub(super) mod linear;
 #[cfg(test)]
 mod tests;
 
-use serde::Serialize;
-
 use super::accuracy::{force_tracking, outside_reach};
 use cdpr_model::control::CommandedPose;
 use cdpr_model::control::Driving;
@@ -46,7 +44,7 @@ pub struct Field {
 }
 
 /// Statistics of a field (eq. 3.3–3.10), SI units.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Summary {
     /// Number of commanded poses.
     pub samples: usize,
@@ -57,10 +55,8 @@ pub struct Summary {
     /// Angle between commanded and emerging orientation (rad), exact.
     pub rotation_error_rad: PoseErrorStatistics,
     /// Emerging minus commanded tensions (N); `None` if control model or machine has no tensions.
-    #[serde(rename = "tension_error_N")]
     pub tension_error: Option<TensionErrorStatistics>,
     /// Residual force of the cables held at the commanded poses, without moments (N); `None` for a rigid machine.
-    #[serde(rename = "residual_force_N")]
     pub residual_force: Option<PoseErrorStatistics>,
     /// Mean position error as a fraction of the diameter of the sampled positions (eq. 3.5); `None` for one position.
     pub relative_position_error: Option<f64>,
@@ -73,7 +69,6 @@ pub struct Summary {
     /// Fraction of the poses at which that distance is at most a tenth of the exact error.
     pub linear_trusted_share: f64,
     /// Effect of the map that corrects the control model; `None` without one.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub compensation: Option<Box<MapEffect<Summary>>>,
 }
 

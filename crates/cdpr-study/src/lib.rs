@@ -14,6 +14,7 @@ mod error_code;
 mod experiment;
 pub mod field;
 pub mod force_tracking;
+mod identification;
 mod objective_comparison;
 mod poorer;
 mod prediction;
@@ -25,6 +26,7 @@ pub mod sweep;
 pub mod tolerance;
 
 pub use experiment::{Experiment, ExperimentError, Robots};
+pub use identification::{Identification, IdentificationData, identify};
 pub use objective_comparison::{Driven, JudgedOptimum, OptimumOf, compare_objectives};
 pub use poorer::missing_effects;
 pub use prediction::PredictionError;

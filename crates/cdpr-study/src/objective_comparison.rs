@@ -1,7 +1,5 @@
 //! The optimum of every objective, judged by all others.
 
-use serde::Serialize;
-
 use crate::accuracy::Accuracy;
 use cdpr_calibration::evaluation::{ErrorBlocks, evaluate_fitted};
 use cdpr_calibration::fit::{InputError, Settings, Status, fit};
@@ -11,23 +9,19 @@ use cdpr_model::model::{FreeParameters, Model};
 use cdpr_model::reading::Keyword;
 
 /// An optimum, or the model as given, with all measures by which it is judged.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct JudgedOptimum {
     /// Objective and cost of the optimum; `None` for the model as given.
-    #[serde(flatten)]
     pub of: Option<OptimumOf>,
     /// True if the search ended at an optimum.
     pub converged: bool,
     /// Costs of all objectives.
-    #[serde(flatten)]
     pub values: ObjectiveValues,
     /// Errors of predicted poses from the recorded lengths, and of modelled lengths at the measured poses.
     pub predicted: ErrorBlocks,
     /// Accuracy of the controller with these parameters on a machine; `None` if there is none.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub driven: Option<Accuracy>,
     /// Reason in words for which it does not drive the machine.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub not_driven: Option<String>,
 }
 
@@ -43,7 +37,7 @@ pub enum Driven {
 }
 
 /// Objective and cost function of an optimum.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct OptimumOf {
     /// Residuals that are minimized.
     pub objective: Objective,

@@ -6,11 +6,9 @@
 //! sums of independent numbers turn the counts into a bound of the difference in size. It holds for any region, at a
 //! stated confidence.
 
+use super::{Bounds, Point, Region};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
-use serde::Serialize;
-
-use super::{Bounds, Point, Region};
 
 /// Probability with which a size lies within its bound, for any region.
 pub const CONFIDENCE: f64 = 0.999;
@@ -25,7 +23,7 @@ const KEPT: usize = 64;
 const BLOCK: usize = 1 << 15;
 
 /// Counts of random points at which a region differs from the result of a method.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Audit {
     /// Points drawn.
     pub points: u64,
@@ -36,10 +34,8 @@ pub struct Audit {
     /// Points that belong to the result, but not to the region.
     pub added: u64,
     /// Some of the points that belong to the region (m).
-    #[serde(skip)]
     pub inside: Vec<Point>,
     /// Size of the box (m², m³).
-    #[serde(skip)]
     size: f64,
 }
 

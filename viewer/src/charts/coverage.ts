@@ -1,14 +1,14 @@
 // What the poses of the fit cover, and how far the model was judged: one bar for each component of the pose.
 import * as Plot from "@observablehq/plot";
-import type { PageData, PoseRange } from "../data";
+import type { ReportData, PoseRange } from "../data";
 import type { Draw } from "../figure";
 import { significant } from "../number";
 import { element } from "../controls";
 import { ACCENT, BAD, frame } from "./style";
 
 /** Positions and angles have their own scales. */
-export function coverage(data: PageData): Draw | null {
-  const ranges = data.result.coverage?.ranges ?? [];
+export function coverage(data: ReportData): Draw | null {
+  const ranges = data.result.coverage.ranges;
   if (ranges.length === 0) return null;
   return (width) => {
     const grid = element("div", "", "panels");
@@ -21,20 +21,30 @@ export function coverage(data: PageData): Draw | null {
   };
 }
 
+/** Ends of a component; NaN where there are no samples. */
+interface Ends {
+  name: string;
+  fit_min: number;
+  fit_max: number;
+  validation_min: number;
+  validation_max: number;
+}
+
 interface Group {
   unit: string;
-  ranges: PoseRange[];
+  ranges: Ends[];
 }
 
 function part(ranges: PoseRange[], unit: string, factor: number, shown: string): Group {
-  const scaled = ranges.filter((range) => range.unit === unit).map((range) => ({
-    ...range,
-    fit_min: factor * range.fit_min,
-    fit_max: factor * range.fit_max,
-    validation_min: factor * range.validation_min,
-    validation_max: factor * range.validation_max,
+  const scaled = (value: number | null) => factor * (value ?? Number.NaN);
+  const own = ranges.filter((range) => range.unit === unit).map((range) => ({
+    name: range.name,
+    fit_min: scaled(range.fit_min),
+    fit_max: scaled(range.fit_max),
+    validation_min: scaled(range.validation_min),
+    validation_max: scaled(range.validation_max),
   }));
-  return { unit: shown, ranges: scaled };
+  return { unit: shown, ranges: own };
 }
 
 function bars({ unit, ranges }: Group, width: number): Element {
@@ -53,13 +63,13 @@ function bars({ unit, ranges }: Group, width: number): Element {
         Plot.barX(ranges, { y: "name", x1: "fit_min", x2: "fit_max", fill: ACCENT, fillOpacity: 0.35 }),
         Plot.ruleY(ranges, { y: "name", x1: "validation_min", x2: "validation_max", stroke: "var(--ink)", strokeWidth: 3 }),
         Plot.dot(beyond, { x: "x", y: "name", symbol: "times", r: 5, stroke: BAD, strokeWidth: 2.5 }),
-        Plot.tip(ranges, Plot.pointerY({ y: "name", x: "fit_max", title: (range: PoseRange) => words(range, unit) })),
+        Plot.tip(ranges, Plot.pointerY({ y: "name", x: "fit_max", title: (range: Ends) => words(range, unit) })),
       ],
     }),
   );
 }
 
-function words(range: PoseRange, unit: string): string {
+function words(range: Ends, unit: string): string {
   const of = (low: number, high: number) => `${significant(low, 3)} … ${significant(high, 3)} ${unit}`;
   return `${range.name}\nfit ${of(range.fit_min, range.fit_max)}\nvalidation ${of(range.validation_min, range.validation_max)}`;
 }

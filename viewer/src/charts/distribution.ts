@@ -1,7 +1,8 @@
 // How residuals and errors are distributed: histogram, and quantiles against those of a normal distribution.
+import { cableLabel } from "../robot";
 import * as Plot from "@observablehq/plot";
 import { choice, element, type Option } from "../controls";
-import type { Errors, PageData } from "../data";
+import type { SampleErrors, ReportData } from "../data";
 import type { Draw, Figure } from "../figure";
 import { finite, meanWords, quantile, tick } from "../number";
 import { models, residuals } from "./quantities";
@@ -10,13 +11,13 @@ import { ACCENT, BAD, MUTED, degrees, frame, mm } from "./style";
 interface Quantity {
   label: string;
   unit: string;
-  values(errors: Errors): number[];
+  values(errors: SampleErrors): number[];
   /** True for magnitudes, which no normal distribution has. */
   magnitude: boolean;
 }
 
 /** Histogram and Q–Q side by side, or one below the other. */
-export function distribution(data: PageData, figure: Figure): Draw | null {
+export function distribution(data: ReportData, figure: Figure): Draw | null {
   if (data.samples.number.length < 2) return null;
   const quantity = choice(figure.controls, "Distribution of", options(data), figure.redraw);
   const model = choice(figure.controls, "of the model", models(data), figure.redraw);
@@ -38,16 +39,16 @@ export function distribution(data: PageData, figure: Figure): Draw | null {
   };
 }
 
-function options(data: PageData): Option<Quantity>[] {
+function options(data: ReportData): Option<Quantity>[] {
   const rows = data.samples.number.map((_, row) => row).filter((row) => !data.samples.set_aside[row]);
   const cables = data.robot.cables;
   const found: Quantity[] = [];
   for (const { label, value } of residuals(data)) {
-    const of = (chosen: number[]) => (errors: Errors) => rows.flatMap((row) => chosen.map((cable) => value.of(errors, row, cable)));
+    const of = (chosen: number[]) => (errors: SampleErrors) => rows.flatMap((row) => chosen.map((cable) => value.of(errors, row, cable)));
     found.push({ label: `${label} residual, all cables`, unit: value.unit, magnitude: false, values: of(cables.map((_, index) => index)) });
-    cables.forEach((cable, index) => found.push({ label: `${label} residual, ${cable.name}`, unit: value.unit, magnitude: false, values: of([index]) }));
+    cables.forEach((_, index) => found.push({ label: `${label} residual, ${cableLabel(data.robot, index)}`, unit: value.unit, magnitude: false, values: of([index]) }));
   }
-  const length = (errors: Errors) => rows.map((row) => errors.position_error_m[row]).map((error) => (error ? mm(Math.hypot(...error)) : Number.NaN));
+  const length = (errors: SampleErrors) => rows.map((row) => errors.position_error_m[row]).map((error) => (error ? mm(Math.hypot(...error)) : Number.NaN));
   found.push({ label: "position error", unit: "mm", magnitude: true, values: length });
   if (data.robot.turns) found.push({ label: "rotation error", unit: "°", magnitude: true, values: (errors) => rows.map((row) => degrees(errors.rotation_error_rad[row])) });
   // samples whose poses nobody measured have no errors of poses

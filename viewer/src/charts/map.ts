@@ -1,7 +1,8 @@
 // Where errors occur: samples in a plane of the workspace, with the box of the fit's poses. Size and colour both grow with the error.
 import * as Plot from "@observablehq/plot";
 import { choice, type Option } from "../controls";
-import type { Errors, PageData, Vector } from "../data";
+import type { SampleErrors, ReportData } from "../data";
+import { type Vector, axesOf } from "../robot";
 import type { Draw, Figure } from "../figure";
 import { finite, quantile, significant } from "../number";
 import { models } from "./quantities";
@@ -17,7 +18,7 @@ export interface View {
 interface Quantity {
   words: string;
   unit: string;
-  of(errors: Errors, row: number): number;
+  of(errors: SampleErrors, row: number): number;
 }
 
 interface Sample {
@@ -30,18 +31,21 @@ interface Sample {
 }
 
 /** The plane of a planar robot; x–y, x–z and y–z of a spatial one. */
-export function views(data: PageData): Option<View>[] {
-  const plane = data.robot.plane;
-  if (plane) return [{ label: plane.names.join("–"), value: plane }];
-  const axes: [string, Vector][] = [["x", [1, 0, 0]], ["y", [0, 1, 0]], ["z", [0, 0, 1]]];
+export function views(data: ReportData): Option<View>[] {
+  const axes = axesOf(data.robot);
+  const along = (a: number, b: number): View => {
+    const [across, up] = [axes[a], axes[b]] as [(typeof axes)[number], (typeof axes)[number]];
+    return { names: [across.name, up.name], first: across.direction, second: up.direction };
+  };
+  if (data.robot.plane) return [{ label: data.robot.axes.join("–"), value: along(0, 1) }];
   return ([[0, 1], [0, 2], [1, 2]] as const).map(([a, b]) => {
-    const [[first, u], [second, v]] = [axes[a] as [string, Vector], axes[b] as [string, Vector]];
-    return { label: `${first}–${second} (${["top", "front", "side"][a + b - 1]} view)`, value: { names: [first, second], first: u, second: v } };
+    const value = along(a, b);
+    return { label: `${value.names.join("–")} (${["top", "front", "side"][a + b - 1]} view)`, value };
   });
 }
 
 /** The chart; both axes to one scale. */
-export function map(data: PageData, figure: Figure): Draw | null {
+export function map(data: ReportData, figure: Figure): Draw | null {
   const samples = data.samples;
   if (samples.number.length === 0) return null;
   const quantity = choice(figure.controls, "Show", quantities(data), figure.redraw);
@@ -98,7 +102,7 @@ function fitting(width: number, bounds: ReturnType<typeof boxOf>): number {
   return Math.max(260, Math.min(width, 720, 82 + TALLEST * Math.min(20, (across || 1e-9) / (up || 1e-9))));
 }
 
-function quantities(data: PageData): Option<Quantity>[] {
+function quantities(data: ReportData): Option<Quantity>[] {
   const position: Quantity = { words: "position error", unit: "mm", of: (errors, row) => lengthOf(errors.position_error_m[row]) };
   const rotation: Quantity = { words: "rotation error", unit: "°", of: (errors, row) => degrees(errors.rotation_error_rad[row]) };
   const length: Quantity = { words: "length error (rms over cables)", unit: "mm", of: (errors, row) => mm(rms(finite(errors.length_error_m[row] ?? []))) };

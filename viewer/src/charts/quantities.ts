@@ -1,5 +1,5 @@
 // What can be asked of the samples: residuals of which quantity, of which model, against what.
-import type { Errors, PageData } from "../data";
+import type { SampleErrors, ReportData } from "../data";
 import type { Option } from "../controls";
 import { mm } from "./style";
 
@@ -8,7 +8,7 @@ export interface Residual {
   words: string;
   unit: string;
   /** Value of a cable in a row, in the unit; NaN where there is none. */
-  of(errors: Errors, row: number, cable: number): number;
+  of(errors: SampleErrors, row: number, cable: number): number;
 }
 
 const LENGTH: Residual = {
@@ -24,13 +24,13 @@ const TENSION: Residual = {
 };
 
 /** Lengths always; tensions only where the calibrated model predicts them and the data have them. */
-export function residuals(data: PageData): Option<Residual>[] {
+export function residuals(data: ReportData): Option<Residual>[] {
   const all = [{ label: "cable length", value: LENGTH }];
   return data.samples.calibrated.tension_error_N ? [...all, { label: "tension", value: TENSION }] : all;
 }
 
 /** The models that can be looked at. */
-export function models(data: PageData): Option<Errors>[] {
+export function models(data: ReportData): Option<SampleErrors>[] {
   const { calibrated, as_given } = data.samples;
   const own = { label: data.given === null && (data.result.candidates[data.shown]?.parameter_count ?? 0) === 0 ? "as given" : "calibrated", value: calibrated };
   return as_given ? [own, { label: "as given", value: as_given }] : [own];
@@ -46,7 +46,7 @@ export interface Abscissa {
 }
 
 /** Sample number, length and direction of motion; time where it was recorded. */
-export function abscissae(data: PageData): Option<Abscissa>[] {
+export function abscissae(data: ReportData): Option<Abscissa>[] {
   const samples = data.samples;
   const of = (label: string, abscissa: Abscissa) => ({ label, value: abscissa });
   const all = [

@@ -1,7 +1,8 @@
 // Residuals of every cable as small multiples on one scale.
+import { cableLabel } from "../robot";
 import * as Plot from "@observablehq/plot";
 import { choice, element } from "../controls";
-import type { PageData } from "../data";
+import type { ReportData } from "../data";
 import type { Draw, Figure } from "../figure";
 import { finite, meanWords, quantile, significant, tick } from "../number";
 import { abscissae, models, residuals as quantities } from "./quantities";
@@ -13,7 +14,7 @@ interface Point {
 }
 
 /** One panel for each cable; quantity, model and abscissa can be chosen. */
-export function residuals(data: PageData, figure: Figure): Draw | null {
+export function residuals(data: ReportData, figure: Figure): Draw | null {
   if (data.samples.number.length === 0) return null;
   const quantity = choice(figure.controls, "Residual of", quantities(data), figure.redraw);
   const against = choice(figure.controls, "against", abscissae(data), figure.redraw);
@@ -31,7 +32,7 @@ export function residuals(data: PageData, figure: Figure): Draw | null {
     grid.style.gridTemplateColumns = `repeat(${columns}, minmax(0, 1fr))`;
     const each = Math.floor((width - 16 * (columns - 1)) / columns);
     series.forEach((points, cable) => {
-      grid.append(panel(each, data.robot.cables[cable]?.name ?? "", points, domain, {
+      grid.append(panel(each, cableLabel(data.robot, cable), points, domain, {
         x: against().label,
         y: `residual, ${quantity().unit}`,
         unit: quantity().unit,

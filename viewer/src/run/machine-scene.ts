@@ -1,4 +1,5 @@
 // The machine as it moves: cables by tension, the platform, and the way that its origin has gone.
+import { axesOf } from "../robot";
 import { AmbientLight, DirectionalLight, Group, Quaternion, Vector3 } from "three";
 import { dashed, dispose, lines, markers } from "../scene/drawing";
 import { type Segment, vector } from "../scene/geometry";
@@ -8,7 +9,8 @@ import { offerViews } from "../scene/views";
 import { colour, onThemeChange } from "../theme";
 import { LOOKS, type TensionScale } from "../workspace/tension-style";
 import { type Clock, momentAt } from "./clock";
-import { type RunData, isBroken } from "./data";
+import type { RunData } from "../data";
+import { isBroken } from "./breaks";
 
 const WORDS = "The machine in three dimensions. Arrow keys turn it, plus and minus zoom; the slider above goes through the time. The table below holds the numbers.";
 
@@ -92,9 +94,7 @@ export class MachineScene {
   }
 
   private axes(): { name: string; direction: Vector3 }[] {
-    const plane = this.data.robot.plane;
-    if (plane) return [{ name: plane.names[0], direction: vector(plane.first) }, { name: plane.names[1], direction: vector(plane.second) }];
-    return [{ name: "x", direction: new Vector3(1, 0, 0) }, { name: "y", direction: new Vector3(0, 1, 0) }, { name: "z", direction: new Vector3(0, 0, 1) }];
+    return axesOf(this.data.robot).map(({ name, direction }) => ({ name, direction: vector(direction) }));
   }
 
   /** Beside the lowest corner of the frame, clear of the label of the anchor there. */

@@ -3,7 +3,8 @@ import { button, choice, element } from "../controls";
 import { limitWords, TensionScale } from "../workspace/tension-style";
 import { drawn } from "../workspace/svg";
 import { Clock, momentAt } from "./clock";
-import { type RunData, isBroken } from "./data";
+import type { RunData } from "../data";
+import { isBroken } from "./breaks";
 import { MachineScene } from "./machine-scene";
 
 const SPEEDS = [0.1, 0.25, 0.5, 1, 2, 5, 10];
@@ -78,7 +79,7 @@ function showTimeLine(data: RunData, clock: Clock, place: HTMLElement): void {
   const x = (time: number) => (width * (time - clock.start)) / span;
   const strip = drawn("svg", { viewBox: `0 0 ${width} ${height}`, preserveAspectRatio: "none", role: "img", "aria-label": "Events and broken limits over the time" });
   strip.append(drawn("rect", { x: 0, y: 8, width, height: 10, class: "way" }));
-  for (const { from_s, to_s, words } of data.violations) {
+  for (const { from_s, to_s, words } of data.broken_limits) {
     strip.append(titled(drawn("rect", { x: x(from_s), y: 8, width: Math.max(2, x(to_s) - x(from_s)), height: 10, class: "violation" }), `${from_s.toFixed(3)} to ${to_s.toFixed(3)} s: ${words}`));
   }
   for (const { time_s, words } of data.events) {
@@ -95,7 +96,7 @@ function showTimeLine(data: RunData, clock: Clock, place: HTMLElement): void {
 }
 
 function legend(data: RunData): string {
-  const parts = [data.events.length > 0 ? "tall bars: events" : "", data.violations.length > 0 ? "red: limits broken" : "no limit is broken"];
+  const parts = [data.events.length > 0 ? "tall bars: events" : "", data.broken_limits.length > 0 ? "red: limits broken" : "no limit is broken"];
   const words = parts.filter(Boolean).join("; ");
   return `Time line: ${words}.`;
 }

@@ -1,6 +1,7 @@
 // Points and segments of the robot for the scene: no physics, only rotations of given points and magnified differences.
 import { Quaternion, Vector3 } from "three";
-import type { Cable, Errors, PageData, Vector } from "../data";
+import type { Cable, SampleErrors, ReportData } from "../data";
+import type { Vector } from "../robot";
 
 /** A line from one point to another. */
 export type Segment = [Vector3, Vector3];
@@ -17,13 +18,14 @@ export interface Posed {
 export type Which = "nominal" | "calibrated";
 
 /** The robot at a measured pose. Differences of the calibrated anchors from the nominal ones are multiplied. */
-export function posed(data: PageData, row: number, which: Which, magnification: number): Posed {
+export function posed(data: ReportData, row: number, which: Which, magnification: number): Posed {
   const position = vector(data.samples.position_m[row] ?? [0, 0, 0]);
   const rotation = new Quaternion(...(data.samples.quaternion_xyzw[row] ?? [0, 0, 0, 1]));
   const factor = which === "nominal" ? 0 : magnification;
-  const frame = data.robot.cables.map((cable) => between(cable.frame_anchor_nominal_m, cable.frame_anchor_m, factor));
-  const platform = data.robot.cables.map((cable) =>
-    between(cable.platform_anchor_nominal_m, cable.platform_anchor_m, factor).applyQuaternion(rotation).add(position),
+  const nominal = (index: number) => data.given_robot.cables[index] as Cable;
+  const frame = data.robot.cables.map((cable, index) => between(nominal(index).frame_anchor_m, cable.frame_anchor_m, factor));
+  const platform = data.robot.cables.map((cable, index) =>
+    between(nominal(index).platform_anchor_m, cable.platform_anchor_m, factor).applyQuaternion(rotation).add(position),
   );
   const cables = frame.map((anchor, cable): Segment => [anchor, platform[cable] as Vector3]);
   return { frame, platform, cables, edges: edgesOf(platform, position) };
@@ -45,7 +47,7 @@ export function edgesOf(platform: Vector3[], origin: Vector3): Segment[] {
 }
 
 /** Error vectors at the measured positions, multiplied. */
-export function errorVectors(data: PageData, errors: Errors, magnification: number): { segment: Segment; size: number; row: number }[] {
+export function errorVectors(data: ReportData, errors: SampleErrors, magnification: number): { segment: Segment; size: number; row: number }[] {
   return data.samples.position_m.flatMap((position, row) => {
     const error = errors.position_error_m[row];
     if (!error) return [];
@@ -55,13 +57,13 @@ export function errorVectors(data: PageData, errors: Errors, magnification: numb
 }
 
 /** Largest distance of a calibrated anchor from its nominal place (m). */
-export function largestShift(cables: Cable[]): number {
+export function largestShift({ robot, given_robot }: ReportData): number {
   const shift = (a: Vector, b: Vector) => vector(a).distanceTo(vector(b));
-  return Math.max(
-    0,
-    ...cables.map((cable) => shift(cable.frame_anchor_m, cable.frame_anchor_nominal_m)),
-    ...cables.map((cable) => shift(cable.platform_anchor_m, cable.platform_anchor_nominal_m)),
-  );
+  const shifts = robot.cables.flatMap((cable, index) => {
+    const given = given_robot.cables[index] as Cable;
+    return [shift(cable.frame_anchor_m, given.frame_anchor_m), shift(cable.platform_anchor_m, given.platform_anchor_m)];
+  });
+  return Math.max(0, ...shifts);
 }
 
 /** 1, 2, 5, 10, 20, …: the largest that is not above the number. */

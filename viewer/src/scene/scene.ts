@@ -1,7 +1,8 @@
 // The robot in space: nominal against calibrated geometry, a measured pose, and where the errors point to.
+import { axesOf } from "../robot";
 import { AmbientLight, DirectionalLight, type Object3D, Vector3 } from "three";
 import { choice, element } from "../controls";
-import type { PageData } from "../data";
+import type { ReportData } from "../data";
 import { models } from "../charts/quantities";
 import { topOf } from "../charts/map";
 import { STEPS } from "../charts/style";
@@ -17,7 +18,7 @@ const WORDS =
   "The robot in three dimensions. Arrow keys turn it, plus and minus zoom; the slider above walks through the samples. Errors and positions stand as numbers in the tables of the result folder.";
 
 /** Fills the figure of the scene. */
-export function showScene(data: PageData): void {
+export function showScene(data: ReportData): void {
   const place = document.querySelector<HTMLElement>('figure[data-chart="scene"]');
   if (!place) return;
   place.hidden = data.samples.number.length === 0;
@@ -46,7 +47,7 @@ class RobotScene {
   private readonly box: [Vector3, Vector3];
 
   constructor(
-    private readonly data: PageData,
+    private readonly data: ReportData,
     controls: HTMLElement,
     private readonly stage: Stage,
   ) {
@@ -57,7 +58,7 @@ class RobotScene {
     const redraw = () => this.build();
     this.model = choice(controls, "Errors of the model", models(data), redraw);
     this.error = this.magnifier(controls, "magnified", this.largestError(), 0.04, redraw);
-    this.shift = this.magnifier(controls, "Anchor shifts magnified", largestShift(data.robot.cables), 0.06, redraw);
+    this.shift = this.magnifier(controls, "Anchor shifts magnified", largestShift(data), 0.06, redraw);
     this.poseSlider(controls);
     this.offerMoving();
     offerViews(controls, stage, data.robot.plane !== null, () => this.standardView());
@@ -81,7 +82,7 @@ class RobotScene {
   }
 
   private fixedPoints(): Vector3[] {
-    return this.data.robot.cables.flatMap((cable) => [vector(cable.frame_anchor_nominal_m), vector(cable.frame_anchor_m)]);
+    return [this.data.given_robot, this.data.robot].flatMap(({ cables }) => cables.map((cable) => vector(cable.frame_anchor_m)));
   }
 
   private largestError(): number {
@@ -244,9 +245,7 @@ class RobotScene {
   }
 
   private arms(): { name: string; direction: Vector3 }[] {
-    const plane = this.data.robot.plane;
-    if (plane) return [{ name: plane.names[0], direction: vector(plane.first) }, { name: plane.names[1], direction: vector(plane.second) }];
-    return [{ name: "x", direction: new Vector3(1, 0, 0) }, { name: "y", direction: new Vector3(0, 1, 0) }, { name: "z", direction: new Vector3(0, 0, 1) }];
+    return axesOf(this.data.robot).map(({ name, direction }) => ({ name, direction: vector(direction) }));
   }
 
   private label(anchors: Vector3[]): void {
@@ -258,7 +257,7 @@ class RobotScene {
 }
 
 /** The box of the poses that the fit saw. */
-function box(data: PageData): Segment[] {
+function box(data: ReportData): Segment[] {
   const points = data.fit_position_m.map(vector);
   if (points.length === 0) return [];
   return boxEdges(...bounds(points));

@@ -1,7 +1,8 @@
 // Frame anchors with the numbers of their cables; those that lie on each other share a label.
+import { alongAxes } from "../robot";
 import * as Plot from "@observablehq/plot";
 import { INK, PAPER } from "../charts/style";
-import type { StudyData } from "./data";
+import type { StudyData } from "../data";
 
 interface Anchors {
   at: number[];
@@ -14,7 +15,10 @@ const NEAR = 0.06;
 /** Marks along two axes of the robot; none where they are not shown. */
 export function anchorMarks(data: StudyData, axes: number[], shown: boolean): Plot.Markish[] {
   if (!shown) return [];
-  const all = data.robot.cables.map(({ name, frame_anchor_m }) => ({ name, at: axes.map((axis) => frame_anchor_m[axis] as number) }));
+  const all = data.robot.cables.map(({ name, frame_anchor_m }) => {
+    const anchor = alongAxes(data.robot, frame_anchor_m);
+    return { name, at: axes.map((axis) => anchor[axis] as number) };
+  });
   const size = Math.max(...axes.map((_, k) => Math.max(...all.map(({ at }) => at[k] as number)) - Math.min(...all.map(({ at }) => at[k] as number))));
   const groups: Anchors[] = [];
   for (const { name, at } of all) {

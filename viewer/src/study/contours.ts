@@ -3,7 +3,7 @@ import * as Plot from "@observablehq/plot";
 import { tick } from "../number";
 import { drawn } from "../workspace/svg";
 import type { Look } from "./layers";
-import type { Nodes } from "./data";
+import type { Nodes } from "../data";
 
 /** A regular grid of numbers; NaN where there is none. */
 export interface Raster {

@@ -2,14 +2,14 @@
 import { button, element } from "../controls";
 import { type Draw, type Figure, fill } from "../figure";
 import { picture, save, sheet } from "../saving";
-import type { StudyData } from "./data";
+import type { StudyData } from "../data";
 import { plane } from "./plane";
 import { space } from "./space";
 
 /** Fills the figures of the page that the command wrote. */
 export function showStudy(data: StudyData): void {
-  show(data, "study", data.robot.planar ? plane : space, data.name);
-  if (!data.robot.planar) show(data, "slices", plane, `${data.name}-slices`);
+  show(data, "study", data.robot.plane ? plane : space, data.name);
+  if (!data.robot.plane) show(data, "slices", plane, `${data.name}-slices`);
 }
 
 type MakeDraw = (data: StudyData, figure: Figure, tell: (words: string) => void) => Draw | null;

@@ -1,4 +1,5 @@
 // The errors of a planar robot over its plane, of a spatial one over slices: contours, vectors, poses, workspaces and anchors, each a layer of its own.
+import { alongAxes } from "../robot";
 import * as Plot from "@observablehq/plot";
 import { BAD, INK, LINE, PAPER, SECOND, STEPS, frame } from "../charts/style";
 import { choice } from "../controls";
@@ -6,7 +7,7 @@ import type { Draw, Figure } from "../figure";
 import { tick } from "../number";
 import { drawn } from "../workspace/svg";
 import { type Labelled, type Raster, contourBands, contourLines, ends, levelsOf, veil, writeValues } from "./contours";
-import type { StudyData, StudyRegion } from "./data";
+import type { StudyData, StudyRegion } from "../data";
 import { anchorMarks } from "./anchors";
 import { type Layer, type Look, arrow, line, mark, offerLayers, pin } from "./layers";
 import { type ErrorQuantity, LARGEST, type Place, type Quantity, RESIDUAL, SMALLEST, TRACKING, errorsOf, hasResiduals, hasTensions, poses, tracksForces, words } from "./quantities";
@@ -49,7 +50,7 @@ export function plane(data: StudyData, figure: Figure, tell: (words: string) => 
   if (data.regions.length === 0) return null;
   const layers = layersOf(data);
   const errors = errorsOf(data);
-  const region = choice(figure.controls, data.robot.planar ? "Region" : "Slice", data.regions.map((value) => ({ label: value.name, value })), figure.redraw);
+  const region = choice(figure.controls, data.robot.plane ? "Region" : "Slice", data.regions.map((value) => ({ label: value.name, value })), figure.redraw);
   const error = choice(figure.controls, "Error", errors.map((value) => ({ label: value.words, value })), figure.redraw);
   const places = [{ label: "the poses", value: false }, { label: "grid points", value: true }];
   const isMany = data.samples.number.length > MANY || data.regions.some((one) => posesOn(data, one).length === 0);
@@ -60,7 +61,7 @@ export function plane(data: StudyData, figure: Figure, tell: (words: string) => 
     const shown = region();
     const all = posesOn(data, shown);
     const vectors = at() ? thinned(data, shown) : all;
-    const magnification = magnified() ?? fitting(vectors, at() ? spacing(shown) : (data.robot.planar ? 1 : IN_SPACE) * apart(all, data.robot.axes.length));
+    const magnification = magnified() ?? fitting(vectors, at() ? spacing(shown) : (data.robot.plane ? 1 : IN_SPACE) * apart(all, data.robot.axes.length));
     tell(layers.exact.shown || layers.linear.shown ? magnificationWords(magnification) : "");
     return draw(data, { layers, region: shown, error: error(), poses: all, vectors, magnification, width });
   };
@@ -87,7 +88,7 @@ function layersOf(data: StudyData): PlaneLayers {
     linear: layer("vectors by one linear step", false, pin(SECOND)),
     commanded: layer("commanded poses", true, mark("ring")),
     emerging: layer("emerging poses", true, mark("point")),
-    anchors: layer("frame anchors", data.robot.planar, mark("square")),
+    anchors: layer("frame anchors", data.robot.plane !== null, mark("square")),
     physical: layer("physical workspace", true, line(PHYSICAL)),
     reachable: layer("reachable workspace", true, line(REACHABLE)),
     reachedLinearly: layer("reachable by one linear step", false, line(REACHED_LINEARLY)),
@@ -99,7 +100,7 @@ function groups(data: StudyData, layers: PlaneLayers): [string, Layer[]][] {
   return [
     ["Contours", layers.contours.map(({ layer }) => layer)],
     ["Error vectors", [layers.exact, layers.linear]],
-    ["Poses and robot", [layers.commanded, layers.emerging, ...(data.robot.planar ? [layers.anchors] : [])]],
+    ["Poses and robot", [layers.commanded, layers.emerging, ...(data.robot.plane ? [layers.anchors] : [])]],
     ["Boundaries", [...(has("physical") ? [layers.physical] : []), ...(has("reachable") ? [layers.reachable] : []), ...(has("linear") ? [layers.reachedLinearly] : [])]],
   ];
 }
@@ -118,15 +119,15 @@ function draw(data: StudyData, scene: Scene): Node {
   const { layers, region, error, width } = scene;
   const [[left, right], [bottom, top]] = region.axes.map(ends) as [[number, number], [number, number]];
   const [first, second] = region.plane;
-  const isWhole = data.robot.planar && region === data.regions[0];
-  const anchors = isWhole && layers.anchors.shown ? data.robot.cables.map((cable) => cable.frame_anchor_m) : [];
+  const isWhole = data.robot.plane !== null && region === data.regions[0];
+  const anchors = isWhole && layers.anchors.shown ? data.robot.cables.map((cable) => alongAxes(data.robot, cable.frame_anchor_m)) : [];
   const contours = layers.contours.filter(({ layer }) => layer.shown).map((one) => {
     const quantity = one.of(error);
     const raster = rasterOf(region, quantity);
     // both errors by the same levels, or they could not be compared
     const scale = quantity === error.linear ? error.exact : quantity;
     // and all slices
-    const compared = data.robot.planar ? [region] : data.regions;
+    const compared = data.robot.plane ? [region] : data.regions;
     return { ...one, quantity, raster, levels: levelsOf(compared.flatMap((other) => within(other, rasterOf(other, scale).values)), STEPS.length - 1) };
   });
   const bands = contours.find(({ look, levels }) => look === EXACT && levels.length > 0);
@@ -136,7 +137,7 @@ function draw(data: StudyData, scene: Scene): Node {
   const tipped = [...visible, ...gridPlaces(region)];
   const size = visible.length > MANY ? 0.5 : 1;
   const whole = Plot.plot(
-    frame(Math.min(width, data.robot.planar ? 1000 : 760), {
+    frame(Math.min(width, data.robot.plane ? 1000 : 760), {
       aspectRatio: 1,
       marginTop: 26,
       x: { label: `${data.robot.axes[first]}, m`, labelAnchor: "center", labelArrow: "none", ticks: 10, inset: 12, domain: extent([left, right, ...anchors.map((anchor) => anchor[0] as number)]) },

@@ -1,7 +1,10 @@
 // What colours and contours may show, and what stands in a tip.
 import { degrees, mm } from "../charts/style";
 import { significant } from "../number";
-import type { Points, StudyData } from "./data";
+import type { CommandedSamples, StudyData, StudyRegion } from "../data";
+
+/** Findings at every pose of a list. */
+export type Points = CommandedSamples | StudyRegion;
 
 /** A number at every pose or grid point; NaN where there is none. */
 export interface Quantity {

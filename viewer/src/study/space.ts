@@ -5,7 +5,7 @@ import { choice, element } from "../controls";
 import type { Draw, Figure } from "../figure";
 import { tick } from "../number";
 import { levelsOf } from "./contours";
-import type { StudyData } from "./data";
+import type { StudyData } from "../data";
 import { anchorMarks } from "./anchors";
 import { type Layer, arrow, mark, offerLayers, pin } from "./layers";
 import { LARGEST, type Place, type Quantity, RESIDUAL, SMALLEST, TRACKING, errorsOf, hasResiduals, hasTensions, poses, tracksForces, words } from "./quantities";
@@ -24,7 +24,7 @@ interface SpaceLayers {
 /** Three projections with one scale of colours. */
 export function space(data: StudyData, figure: Figure, tell: (words: string) => void): Draw | null {
   const all = poses(data);
-  if (data.robot.planar || all.length === 0) return null;
+  if (data.robot.plane || all.length === 0) return null;
   const layer = (text: string, shown: boolean, picture: SVGElement[]): Layer => ({ words: text, shown, picture });
   const layers: SpaceLayers = {
     commanded: layer("commanded poses", true, mark("ring")),

@@ -1,13 +1,13 @@
 // The plane that cuts the hulls open.
 import { Plane, Vector3 } from "three";
 import { choice, element } from "../controls";
-import type { Axis } from "./data";
+import type { GridAxis } from "../data";
 
 /** The plane chosen, or none. */
 export type ClipChoice = () => Plane | null;
 
 /** Choice of an axis and a slider along it. */
-export function offerClip(controls: HTMLElement, axes: Axis[], changed: () => void): ClipChoice {
+export function offerClip(controls: HTMLElement, axes: GridAxis[], changed: () => void): ClipChoice {
   const slider = element("input");
   const words = element("output", "", "pose-words");
   const label = element("label", "at ");
@@ -25,7 +25,7 @@ export function offerClip(controls: HTMLElement, axes: Axis[], changed: () => vo
   const chosen = choice(
     controls,
     "Clip plane",
-    [{ label: "none", value: null as Axis | null }, ...axes.map((axis) => ({ label: `across ${axis.name}`, value: axis as Axis | null }))],
+    [{ label: "none", value: null as GridAxis | null }, ...axes.map((axis) => ({ label: `across ${axis.name}`, value: axis as GridAxis | null }))],
     () => {
       fit();
       changed();

@@ -1,6 +1,6 @@
 // What the colours of surfaces tell: which result, which cable limits, or the margin. Patches of a cable bear its name.
 import { Vector3 } from "three";
-import type { Region } from "./data";
+import type { WorkspaceRegion } from "../data";
 import { SHADES } from "./margin-chart";
 
 /** What colours stand for. */
@@ -20,13 +20,13 @@ export function marginColour(margin: number, levels: number[]): string {
 }
 
 /** True where the surface knows what the colours should tell. */
-export function isKnown(region: Region, colouring: Colouring): boolean {
+export function isKnown(region: WorkspaceRegion, colouring: Colouring): boolean {
   if (colouring === "result") return true;
   return (colouring === "cable" ? region.limiting_cable : region.margin).length * 3 === region.vertices_m.length;
 }
 
 /** The mean margin of every triangle's corners. */
-export function marginsOf(region: Region): number[] {
+export function marginsOf(region: WorkspaceRegion): number[] {
   const { triangles, margin } = region;
   const at = (index: number) => margin[triangles[index] as number] as number;
   return Array.from({ length: triangles.length / 3 }, (_, k) => (at(3 * k) + at(3 * k + 1) + at(3 * k + 2)) / 3);
@@ -42,7 +42,7 @@ export interface Piece {
 }
 
 /** The triangles of a surface, cut half-way between vertices that different cables limit, and the lines of these cuts. */
-export function piecesOf({ triangles, limiting_cable }: Region): { pieces: Piece[]; borders: [Corner, Corner][] } {
+export function piecesOf({ triangles, limiting_cable }: WorkspaceRegion): { pieces: Piece[]; borders: [Corner, Corner][] } {
   const pieces: Piece[] = [];
   const borders: [Corner, Corner][] = [];
   const add = (vertex: number, ...corners: [Corner, Corner, Corner]) => pieces.push({ corners, cable: limiting_cable[vertex] as number });
@@ -71,12 +71,12 @@ export function piecesOf({ triangles, limiting_cable }: Region): { pieces: Piece
 }
 
 /** The place of a corner. */
-export function placeOf(region: Region, corner: Corner): Vector3 {
+export function placeOf(region: WorkspaceRegion, corner: Corner): Vector3 {
   return corner.reduce((sum, vertex) => sum.add(point(region, vertex)), new Vector3()).divideScalar(corner.length);
 }
 
 /** Area of a piece (m²). */
-export function areaOf(region: Region, { corners }: Piece): number {
+export function areaOf(region: WorkspaceRegion, { corners }: Piece): number {
   const [a, b, c] = corners.map((corner) => placeOf(region, corner)) as [Vector3, Vector3, Vector3];
   return 0.5 * b.sub(a).cross(c.sub(a)).length();
 }
@@ -93,7 +93,7 @@ export interface Patch {
 const PLACES = 24;
 
 /** The patches of a surface; `normals` are those of its vertices, three numbers each. */
-export function patchesOf(region: Region, normals: ArrayLike<number>): Patch[] {
+export function patchesOf(region: WorkspaceRegion, normals: ArrayLike<number>): Patch[] {
   const count = region.limiting_cable.length;
   const neighbours: number[][] = Array.from({ length: count }, () => []);
   const edges = new Array<number>(count).fill(0);
@@ -135,6 +135,6 @@ function joined(neighbours: number[][]): number[][] {
   return groups;
 }
 
-function point(region: Region, index: number): Vector3 {
+function point(region: WorkspaceRegion, index: number): Vector3 {
   return new Vector3().fromArray(region.vertices_m, 3 * index);
 }

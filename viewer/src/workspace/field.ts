@@ -1,5 +1,5 @@
 // Values between the nodes of the grid. Nothing is computed here but means of what the block states.
-import type { Grid } from "./data";
+import type { Grid } from "../data";
 
 /** What is known at a point of the grid's box. */
 export interface Reading {

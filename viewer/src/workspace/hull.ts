@@ -2,10 +2,10 @@
 import { BufferAttribute, BufferGeometry, Color, DoubleSide, Mesh, MeshLambertMaterial, Plane, Vector3 } from "three";
 import type { Segment } from "../scene/geometry";
 import { type Piece, placeOf } from "./colouring";
-import type { Region } from "./data";
+import type { WorkspaceRegion } from "../data";
 
 /** The surface as three.js keeps it (world, m). */
-export function geometryOf(region: Region): BufferGeometry {
+export function geometryOf(region: WorkspaceRegion): BufferGeometry {
   const geometry = new BufferGeometry();
   geometry.setAttribute("position", new BufferAttribute(new Float32Array(region.vertices_m), 3));
   geometry.setIndex(region.triangles);
@@ -16,7 +16,7 @@ export function geometryOf(region: Region): BufferGeometry {
 /** The surface, from both sides; `paint` or `paintEach` and `dress` give it its looks. */
 export type Surface = Mesh<BufferGeometry, MeshLambertMaterial>;
 
-export function surface(region: Region): Surface {
+export function surface(region: WorkspaceRegion): Surface {
   return new Mesh(geometryOf(region), new MeshLambertMaterial({ side: DoubleSide }));
 }
 
@@ -39,7 +39,7 @@ export function paintEach({ material }: Surface, geometry: BufferGeometry, colou
 }
 
 /** The pieces of a surface, each corner with the mean normal of its vertices. */
-export function geometryOfPieces(region: Region, pieces: Piece[], normals: ArrayLike<number>): BufferGeometry {
+export function geometryOfPieces(region: WorkspaceRegion, pieces: Piece[], normals: ArrayLike<number>): BufferGeometry {
   const corners = pieces.flatMap((piece) => piece.corners);
   const normal = (corner: number[]) => corner.reduce((sum, vertex) => sum.add(new Vector3(normals[3 * vertex], normals[3 * vertex + 1], normals[3 * vertex + 2])), new Vector3()).normalize();
   const geometry = new BufferGeometry();
@@ -56,7 +56,7 @@ export function dress({ material }: Surface, opacity: number, clip: Plane | null
 }
 
 /** Where the surface meets a plane. */
-export function cut(region: Region, plane: Plane): Segment[] {
+export function cut(region: WorkspaceRegion, plane: Plane): Segment[] {
   const point = (index: number) => new Vector3().fromArray(region.vertices_m, 3 * index);
   const found: Segment[] = [];
   for (let k = 0; k + 2 < region.triangles.length; k += 3) {
@@ -73,7 +73,7 @@ export function cut(region: Region, plane: Plane): Segment[] {
 }
 
 /** The highest vertex that the plane leaves, where the hull's letter stands; null where it leaves none. */
-export function top(region: Region, clip: Plane | null): Vector3 | null {
+export function top(region: WorkspaceRegion, clip: Plane | null): Vector3 | null {
   let best: Vector3 | null = null;
   for (let k = 0; k + 2 < region.vertices_m.length; k += 3) {
     const vertex = new Vector3().fromArray(region.vertices_m, k);

@@ -4,7 +4,7 @@ import * as Plot from "@observablehq/plot";
 import { INK, LINE, MUTED, frame } from "../charts/style";
 import { significant } from "../number";
 import { cableColour } from "./colouring";
-import type { Grid, WorkspaceData } from "./data";
+import type { Grid, WorkspaceData } from "../data";
 import { marginOf } from "./field";
 import { patchesOfPlane } from "./patches";
 import { cableName } from "./platform";
@@ -40,7 +40,7 @@ const NAMED_PATCH = 0.015;
 /** Contours of the margin, or cells in the colour of the cable that limits; where the margin fails there is a hatch too, and the limit is a
  * thick line. `also` must be seen as well. */
 export function marginChart(data: WorkspaceData, plane: Plane, regions: ShownRegion[], also: [number, number][], width: number, colouring: PlaneColouring): MarginChart {
-  const { grid, criterion } = data;
+  const { grid, margin_unit, result } = data;
   const [across, up] = [axisOf(grid, plane.across), axisOf(grid, plane.up)];
   const values = layerOf(grid, plane);
   const levels = levelsOf(values);
@@ -56,7 +56,7 @@ export function marginChart(data: WorkspaceData, plane: Plane, regions: ShownReg
       marginTop: 22,
       x: { label: `${across.name}, m`, labelAnchor: "center", labelArrow: "none", inset: 12, domain: extent([box.left, box.right, ...also.map((point) => point[0])]) },
       y: { label: `${up.name}, m`, labelArrow: "none", inset: 12, domain: extent([box.bottom, box.top, ...also.map((point) => point[1])]) },
-      color: colouring === "cable" ? cableLegend(data, plane) : { type: "threshold", domain: levels, range: SHADES, legend: true, ...{ width: Math.min(width, 380) }, label: `margin of ${criterion.name}${criterion.unit ? `, ${criterion.unit}` : ""}`, tickFormat: (value: number) => significant(value, 2) },
+      color: colouring === "cable" ? cableLegend(data, plane) : { type: "threshold", domain: levels, range: SHADES, legend: true, ...{ width: Math.min(width, 380) }, label: `margin of ${result.criterion}${margin_unit ? `, ${margin_unit}` : ""}`, tickFormat: (value: number) => significant(value, 2) },
       marks: [
         ...(colouring === "cable" ? cableCells(data, plane) : [Plot.contour(values, { ...size, fill: Plot.identity as never, thresholds: [lowest, ...levels] as never, stroke: "none" })]),
         Plot.contour(values.map((value) => -value), { ...size, thresholds: [1e-12] as never, fill: `url(#${hatch})`, stroke: "none" }),

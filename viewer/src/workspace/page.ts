@@ -2,7 +2,7 @@
 import { button, choice, element } from "../controls";
 import { save, svg } from "../saving";
 import { onThemeChange } from "../theme";
-import type { WorkspaceData } from "./data";
+import type { WorkspaceData } from "../data";
 import { png, stl } from "./download";
 import { tensionLegend } from "./legend";
 import { type MarginChart, type Plane, type PlaneColouring, knowsCables, marginChart } from "./margin-chart";
@@ -26,7 +26,7 @@ export function showWorkspace(data: WorkspaceData): void {
   if (hasTensions(data)) legends.append(tensionLegend(scale));
   showReadout(side, platform, scale);
   offerPosition(side, platform);
-  const redraw = data.robot.planar ? showPlanar(canvas, controls, platform, regions, scale) : showSpatial(canvas, controls, legends, platform, regions, scale);
+  const redraw = data.robot.plane ? showPlanar(canvas, controls, platform, regions, scale) : showSpatial(canvas, controls, legends, platform, regions, scale);
   offerRegions(legends, regions, redraw);
 }
 

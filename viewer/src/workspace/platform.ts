@@ -1,8 +1,8 @@
 // Where the platform stands: one value that every part of the page shows and may change.
 import { Quaternion, Vector3 } from "three";
-import type { Vector } from "../data";
+import type { Vector } from "../robot";
 import { type Segment, edgesOf, vector } from "../scene/geometry";
-import type { WorkspaceData } from "./data";
+import type { WorkspaceData } from "../data";
 import { type Reading, inside, read, snapped } from "./field";
 
 /** The platform and what is known of it there. */

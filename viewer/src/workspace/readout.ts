@@ -23,8 +23,8 @@ export function showReadout(place: HTMLElement, platform: Platform, scale: Tensi
   const caption = element("p", "", "tension-source");
   place.append(verdict);
   if (hasTensions(platform.data)) place.append(holder, caption);
-  const { criterion } = platform.data;
-  head.textContent = `Criterion: ${criterion.name}`;
+  const { margin_unit, result } = platform.data;
+  head.textContent = `Criterion: ${result.criterion}`;
   const show = () => {
     const { reading } = platform;
     const [look, sign, words] = VERDICTS[reading.verdict];
@@ -32,7 +32,7 @@ export function showReadout(place: HTMLElement, platform: Platform, scale: Tensi
     const text = `${sign} ${words}`;
     if (line.textContent !== text) line.textContent = text;
     const limiting = reading.cable === null ? "" : `, limited by cable ${cableName(platform.data, reading.cable)}`;
-    margin.textContent = `Margin ${significant(reading.margin, 3)} ${criterion.unit}${limiting}`.replace(/ $/, "");
+    margin.textContent = `Margin ${significant(reading.margin, 3)} ${margin_unit}${limiting}`.replace(/ $/, "");
     reason.textContent = reading.reason ? `Why a grid point ${reading.verdict === "between" ? "beside it " : ""}fails: ${reading.reason}` : "";
     reason.hidden = !reading.reason;
     holder.replaceChildren(table(platform, scale));

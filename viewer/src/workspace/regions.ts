@@ -1,12 +1,12 @@
 // The results on the page: each has a letter, a colour and a line of its own, and may be hidden.
 import { element } from "../controls";
 import { significant } from "../number";
-import type { Region, WorkspaceData } from "./data";
+import type { WorkspaceRegion, WorkspaceData } from "../data";
 import { sample } from "./legend";
 
 /** A result with its looks. */
 export interface ShownRegion {
-  region: Region;
+  region: WorkspaceRegion;
   letter: string;
   /** Name of the colour (CSS variable). */
   colour: string;
@@ -51,6 +51,6 @@ export function offerRegions(place: HTMLElement, regions: ShownRegion[], changed
 }
 
 /** E.g. "243.1 ± 0.8 m³". */
-function measureWords({ measure, error_bound, unit }: Region): string {
+function measureWords({ measure, error_bound, unit }: WorkspaceRegion): string {
   return `${significant(measure, 4)}${error_bound === null ? "" : ` ± ${significant(error_bound, 2)}`} ${unit}`;
 }

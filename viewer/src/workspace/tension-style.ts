@@ -1,6 +1,6 @@
 // How a tension looks: five steps between the limits, each with a colour and a width of its own, so that neither is needed.
 import { significant } from "../number";
-import type { WorkspaceData } from "./data";
+import type { WorkspaceData } from "../data";
 
 /** Names of the colours (CSS variables) and widths (pixels) of the steps. */
 export const LOOKS = [1, 2, 3, 4, 5].map((step) => ({ colour: `tension-${step}`, width: 0.4 + 1.1 * step }));

@@ -4,7 +4,6 @@
 mod tests;
 
 use crate::progress::unobserved;
-use serde::Serialize;
 
 use super::settings::{ASSUMED_NOISE, ASSUMED_TENSION_SHARE, prior_sigma};
 use super::{Fit, InputError, Settings};
@@ -32,7 +31,7 @@ const NEAR: f64 = 0.25;
 const OPEN: f64 = 50.0;
 
 /// Course of the weighted squares (of the objective) over one parameter.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Profile {
     /// Name of the parameter.
     pub parameter: String,
@@ -57,7 +56,7 @@ pub struct Profile {
 }
 
 /// One value of the parameter.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ProfilePoint {
     /// Value minus the optimal one.
     pub shift: f64,

@@ -2,8 +2,6 @@
 
 use std::str::FromStr;
 
-use serde::Serialize;
-
 use super::input_error::InputError;
 use crate::gauge_convention::GaugeConvention;
 use crate::loss::Loss;
@@ -84,7 +82,7 @@ impl Settings {
 }
 
 /// Weights of the rows of lengths and wrenches (w_ρ of sec. 4.5).
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct RowWeights {
     /// Of wrenches: forces (1/N) and moments (1/(N·m)).
     pub wrench: f64,

@@ -1,7 +1,7 @@
 //! Proof that a largest norm is the least.
 
 /// Samples whose norms no change of the parameters makes smaller together.
-#[derive(Clone, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Certificate {
     /// The largest norm.
     pub largest: f64,
@@ -14,7 +14,7 @@ pub struct Certificate {
 }
 
 /// A sample that holds the largest norm up.
-#[derive(Clone, Copy, Debug, PartialEq, serde::Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ActiveSample {
     /// Number of the sample, from 1.
     pub sample: usize,

@@ -19,7 +19,7 @@ const SAME_PLACE: f64 = 1e-4;
 const WITHIN_NOISE: f64 = 3.841_459;
 
 /// Optima of least squares that the starts of a fit led to.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Starts {
     /// Starts: the file's values and points of a scrambled Sobol sequence.
     pub count: usize,

@@ -11,8 +11,6 @@ mod subproblem;
 mod tests;
 mod validation;
 
-use serde::Serialize;
-
 use super::cross_validation::reported_part;
 use super::fit::{self, Fit, InputError, check_recording, checked_parameters};
 use super::loss::Loss;
@@ -43,7 +41,7 @@ pub struct PenaltyPath {
 }
 
 /// Least value at one penalty.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PathPoint {
     /// λ: per metre of cable (lasso), per its square (ridge).
     pub lambda: f64,
@@ -64,7 +62,7 @@ pub struct PathPoint {
 }
 
 /// One free parameter of a path.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PathParameter {
     /// Name.
     pub name: String,

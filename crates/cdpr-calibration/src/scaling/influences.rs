@@ -1,7 +1,6 @@
 //! Structure, parameters, samples and scaling: four factors whose product is the condition (Fig. 4.5).
 
 use nalgebra::DMatrix;
-use serde::Serialize;
 
 use super::design;
 use super::question::{Question, of_matrix};
@@ -11,7 +10,7 @@ use crate::plain_rows::PlainRows;
 use cdpr_model::robot::ParameterKind;
 
 /// One factor of the condition.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Influence {
     /// `structure`, `parameters`, `samples` or `scaling`.
     pub name: &'static str,

@@ -7,8 +7,6 @@ mod question;
 #[cfg(test)]
 mod tests;
 
-use serde::Serialize;
-
 use super::fit::{InputError, RowWeights, Settings};
 use super::identifiability::with_unit_columns;
 use super::plain_rows::PlainRows;
@@ -20,7 +18,7 @@ pub use question::{KindScale, scaled_kind};
 use question::{Question, of_matrix};
 
 /// Condition of the Jacobian of a model on data.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Conditioning {
     /// Weights of the rows.
     pub row_weights: RowWeights,
@@ -43,7 +41,7 @@ pub struct Conditioning {
 }
 
 /// Condition of one kind of parameters.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct KindCondition {
     /// The kind.
     pub kind: ParameterKind,

@@ -4,7 +4,6 @@ use std::borrow::Cow;
 use std::str::FromStr;
 
 use nalgebra::DMatrix;
-use serde::Serialize;
 
 use crate::fit::{InputError, RowWeights, Settings, checked_parameters};
 use crate::identifiability::{rank_and_condition, singular_values};
@@ -14,7 +13,7 @@ use cdpr_model::robot::{Parameter, ParameterKind};
 use cdpr_model::scalar::TriangularFactor;
 
 /// Scale of a kind of parameters: the unit in which they are counted, in SI units.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KindScale {
     /// The kind; axial stiffness stands for compliance, counted by k_F = 1/compliance.
     pub kind: ParameterKind,

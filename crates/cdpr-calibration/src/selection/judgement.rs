@@ -1,6 +1,5 @@
 //! A candidate of a selection, judged.
 
-use serde::Serialize;
 use thiserror::Error;
 
 use super::requirement::{Requirement, RequirementOutcome};
@@ -124,7 +123,7 @@ impl Judgement {
 }
 
 /// Criterion on data held out.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct HeldOut {
     /// Mean over the samples that all compared candidates answer (SI).
     pub criterion: f64,

@@ -3,7 +3,6 @@
 use std::fmt;
 use std::str::FromStr;
 
-use serde::Serialize;
 use thiserror::Error;
 
 use crate::evaluation::ErrorBlocks;
@@ -54,7 +53,7 @@ impl fmt::Display for Requirement {
 }
 
 /// How a candidate stands to a limit.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct RequirementOutcome {
     /// Name of the figure.
     pub metric: &'static str,

@@ -1,7 +1,6 @@
 //! Frame anchors beside those of another robot, after the motion that brings them together best.
 
 use nalgebra::{DMatrix, DVector};
-use serde::Serialize;
 
 use cdpr_model::model::Model;
 use cdpr_model::robot::Robot;
@@ -9,7 +8,7 @@ use cdpr_model::scalar::decomposition::svd;
 
 /// Frame anchors beside those of another robot, after the shift and turn, and the mirror image where data leave it free, that brings them together best
 /// (Procrustes).
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Comparison {
     /// Name of the other robot.
     pub robot: String,

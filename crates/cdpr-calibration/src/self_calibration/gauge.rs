@@ -1,7 +1,6 @@
 //! Motions of everything together that the rows do not see, and parameters that fix them.
 
 use nalgebra::{DMatrix, DVector, Vector3};
-use serde::Serialize;
 
 use super::equations::Equation;
 use crate::gauge_convention::GaugeConvention;
@@ -27,7 +26,7 @@ const APART: f64 = 1e-3;
 const SAME: f64 = 1e-6;
 
 /// Motions of everything together that no length sees, and the convention that fixes them.
-#[derive(Clone, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq, Eq)]
 pub struct GaugeFixing {
     /// `anchors`: parameters held at the file's values; `least-change`: anchors as near to the file's as the data let them be; `known`: measurements leave nothing
     /// to fix.

@@ -1,14 +1,12 @@
 //! How well each sensor agrees with a calibrated robot, and accuracies that the residuals tell.
 
-use serde::Serialize;
-
 use super::internal::Sensing;
 use super::question::Question;
 use super::written::Written;
 use crate::residual::sensors::Sensor;
 
 /// Residuals of one sensor.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct SensorFit {
     /// `length`, `tension`, `swivel` or `rotation`.
     pub sensor: &'static str,

@@ -191,12 +191,9 @@ impl Shown<'_> {
         let page = RunPage {
             recording: self.recording,
             violations: self.violations,
-            tensions: answer.tensions(),
+            answer,
             name: &name,
-            status: answer.status(),
-            reason: answer.reason(),
             facts: &facts,
-            warnings: answer.warnings(),
             command: &crate::session::command_line(),
             version: env!("CARGO_PKG_VERSION"),
         };

@@ -32,6 +32,8 @@ enum FileFormat {
     Scenario,
     /// Sweep (TOML): a study and the parameters that change.
     Sweep,
+    /// Data block of a page (JSON).
+    Page,
     #[value(help = "What is known about a measurement file (TOML beside the CSV, whose columns the description tells)")]
     Measurement,
 }
@@ -56,6 +58,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         FileFormat::Study => cdpr_study::study::schema(),
         FileFormat::Scenario => cdpr_plant::scenario::schema(),
         FileFormat::Sweep => cdpr_study::sweep::schema(),
+        FileFormat::Page => cdpr_reports::page_schema(),
         FileFormat::Measurement => cdpr_model::measurement::schema(),
     };
     let schema = schema.to_value();

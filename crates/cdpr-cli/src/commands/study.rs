@@ -16,7 +16,7 @@ use crate::files;
 use crate::progress::Progress;
 use crate::study_file::StudyFile;
 use cdpr_reports::NamedFile;
-use cdpr_reports::answers::{StudyAnswer, control_title, study_remarks, title, unanswered};
+use cdpr_reports::answers::{StudyAnswer, control_title, study_remarks, title};
 use cdpr_reports::study_page::{self, StudyPage, StudyPageError, error_maps, errors_table, tracking_figure};
 
 const EXAMPLES: &str = "\
@@ -71,13 +71,15 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let progress = Progress::spinner("commanding the poses");
     let found = field(&driving, &poses);
     study_remarks(&study_file, &found).iter().for_each(|remark| output.remark(remark));
-    let reason = unanswered(&found);
-    let page = page(&study_file, &arguments, &found, output.remarks().into_iter().chain(reason).collect())?;
-    drop(progress);
     let mut made = error_maps(&found, &study_file.machine);
     let tracking = tracking_figure(&found, &study_file.machine);
     made.extend(tracking.map(|figure| NamedFile::new("force-tracking.svg", figure.file())));
     made.insert(0, NamedFile::new("errors.csv", errors_table(&found, study_file.machine.robot())));
+    let names = made.iter().map(|file| file.name.as_str());
+    let names = ["run.toml", "report.html"].into_iter().chain(names).chain(["result.json"]).map(str::to_owned);
+    let answer = StudyAnswer::new(&study_file, &found, arguments.seed, names.collect());
+    let page = page(&study_file, &arguments, &found, &answer, output.remarks())?;
+    drop(progress);
     made.insert(0, NamedFile::new("report.html", page));
     let run = Run {
         version: env!("CARGO_PKG_VERSION"),
@@ -90,8 +92,6 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     };
     let run = toml::to_string(&run).map_err(|error| Failure::unwritable("run.toml", &error))?;
     made.insert(0, NamedFile::new("run.toml", run));
-    let names = made.iter().map(|file| file.name.clone()).chain(["result.json".to_owned()]).collect();
-    let answer = StudyAnswer::new(&study_file, &found, arguments.seed, names);
     made.push(NamedFile::new("result.json", output.file(&answer, "result.json")?));
     write(&arguments.out, &made)?;
     output.answer(&answer)
@@ -102,11 +102,14 @@ fn page(
     study_file: &StudyFile,
     arguments: &Arguments,
     found: &Field,
-    warnings: Vec<String>,
+    answer: &StudyAnswer,
+    mut warnings: Vec<String>,
 ) -> Result<String, Failure> {
+    warnings.extend(answer.reason().map(str::to_owned));
     let name = arguments.study.file_stem().unwrap_or(arguments.study.as_os_str()).to_string_lossy();
     let page = study_page::render(&StudyPage {
         experiment: &study_file.experiment,
+        answer,
         name: &name,
         found,
         warnings: &warnings,

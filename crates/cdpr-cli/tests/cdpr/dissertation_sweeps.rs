@@ -52,7 +52,9 @@ fn an_anchor_moved_in_the_controller_changes_what_is_reached_as_its_sweep_tells(
 #[test]
 fn pulleys_that_the_controller_does_not_know_cost_reachable_workspace_and_force_control_wins_some_of_it_back() {
     let kinematic = swept("sweep-planar-pulleys", "0.2", "[0, 0.15, 0.4]");
-    let area = |row: usize| kinematic[row]["physical"].as_f64().unwrap() / kinematic[0]["physical"].as_f64().unwrap();
+    let area = |row: usize| {
+        kinematic[row]["physical_area_m2"].as_f64().unwrap() / kinematic[0]["physical_area_m2"].as_f64().unwrap()
+    };
     assert!((area(1) - 0.9895).abs() < 0.005 && (area(2) - 0.9754).abs() < 0.01, "{} {}", area(1), area(2));
     let force = swept("sweep-planar-force-control", "0.2", "[0, 0.15, 0.4]");
     // control model and machine are alike without pulleys: eq. 3.26

@@ -33,9 +33,9 @@ fn a_limit_broken_between_the_rows_is_told_everywhere() {
     assert_eq!((run.exit_code, answer["status"].as_str()), (1, Some("completed")), "{answer}");
     let violations = answer["violations"].as_array().unwrap();
     let worst = violations.iter().find(|one| one["limit"] == "tension_max_N").unwrap();
-    assert_eq!(worst["worst"], answer["tension_max_N"], "{violations:?}");
+    assert_eq!(worst["worst_N"], answer["tension_max_N"], "{violations:?}");
     let within = |key: &str| worst[key].as_f64().unwrap();
-    assert!(within("worst") > 303.0 && within("first_s") < 0.2 && within("duration_s") > 0.0, "{worst}");
+    assert!(within("worst_N") > 303.0 && within("first_s") < 0.2 && within("duration_s") > 0.0, "{worst}");
     let words = worst["words"].as_str().unwrap();
     assert!(words.contains("above its 303 N"), "{words}");
     let first = violations[0]["words"].as_str().unwrap();
@@ -83,7 +83,10 @@ fn the_733_newtons_of_the_measuring_scenario_break_a_limit() {
         (&"tension_min_N".into(), &3.into(), &1000.0.into())
     );
     let near = |key: &str, expected: f64, by: f64| (found[key].as_f64().unwrap() - expected).abs() < by;
-    assert!(near("worst", 733.27, 0.01) && near("first_s", 3.751, 1e-9) && near("duration_s", 0.028, 1e-9), "{found}");
+    assert!(
+        near("worst_N", 733.27, 0.01) && near("first_s", 3.751, 1e-9) && near("duration_s", 0.028, 1e-9),
+        "{found}"
+    );
     let log = written(folder.path(), "log.csv");
     let column = log.lines().next().unwrap().split(',').position(|name| name == "tension_N_3").unwrap();
     let of_rows = log.lines().skip(1).map(|row| row.split(',').nth(column).unwrap().parse::<f64>().unwrap());

@@ -149,9 +149,9 @@ fn the_differential_hull_tells_what_a_change_does_and_surfaces_are_written() {
     let answer: serde_json::Value = serde_json::from_slice(&stdout).unwrap();
     let number = |key: &str| answer["differential"][key].as_f64().unwrap();
     let nominal = answer["reachable_area_m2"].as_f64().unwrap();
-    let change = number("recomputed_size") - nominal;
+    let change = number("recomputed_area_m2") - nominal;
     assert!(change.abs() > 0.5, "{change}");
-    assert!((number("first_order_size") - nominal - change).abs() < 0.15 * change.abs(), "{answer}");
+    assert!((number("first_order_area_m2") - nominal - change).abs() < 0.15 * change.abs(), "{answer}");
 
     let (code, _, stderr) = vary("control frame-anchor[1].z", "--method hull");
     assert!(code == 2 && stderr.contains("did you mean \"control frame-anchor[1]."), "{stderr}");

@@ -93,7 +93,7 @@ fn sweeps_and_hulls_of_machines_that_remember_agree_with_what_is_reached() {
         let reached = reached.json_with(&["reachable_area_m2"])["reachable_area_m2"].as_f64().unwrap();
         let _ = std::fs::remove_dir_all(folder.path().join("out"));
         let swept = cdpr_in(folder.path(), "sweep all sweep.toml --out out --format json");
-        let swept = swept.json_with(&["rows"])["rows"][0]["reachable"].as_f64().unwrap();
+        let swept = swept.json_with(&["rows"])["rows"][0]["reachable_area_m2"].as_f64().unwrap();
         assert!(reached > 10.0 && reached == swept, "{history:?}: {reached} {swept}");
     }
     let mut command = assert_cmd::Command::cargo_bin("cdpr").unwrap();
@@ -109,7 +109,7 @@ fn sweeps_and_hulls_of_machines_that_remember_agree_with_what_is_reached() {
     ]);
     let output = command.args(["--vary", "machine frame-anchor[1].x", "--change", "0"]).output().unwrap();
     let answer: serde_json::Value = serde_json::from_slice(&output.stdout).unwrap();
-    assert_eq!(answer["differential"]["recomputed_size"], answer["reachable_area_m2"], "{answer}");
+    assert_eq!(answer["differential"]["recomputed_area_m2"], answer["reachable_area_m2"], "{answer}");
 }
 
 #[test]
@@ -126,7 +126,7 @@ fn a_sweep_chooses_the_tensions_of_its_control_model() {
         std::fs::write(folder.path().join("sweep.toml"), format!("{in_sweep}\n{text}")).unwrap();
         let run = cdpr_in(folder.path(), "sweep all sweep.toml --out out --format json");
         assert_eq!(run.exit_code, 0, "{}", run.stderr);
-        run.json()["rows"][0]["reachable"].as_f64().unwrap()
+        run.json()["rows"][0]["reachable_area_m2"].as_f64().unwrap()
     };
     let method = "tension_method = \"improved-closed-form\"";
     let (nearest, improved) = (rows("", ""), rows("", method));

@@ -127,11 +127,11 @@ fn the_nearest_wrench_says_what_it_lacks() {
     let run = cdpr(&format!("{command} --format json"));
     assert_eq!(run.exit_code, 1, "{}", run.stderr);
     let answer =
-        run.json_with(&["tensions_N", "missing_wrench", "missing_force_N", "missing_moment_Nm", "certificate"]);
+        run.json_with(&["tensions_N", "missing_wrench_N_Nm", "missing_force_N", "missing_moment_Nm", "certificate"]);
     assert_eq!((answer["status"].as_str(), answer["proved"].as_bool()), (Some("infeasible"), Some(true)));
     let tensions = numbers(&answer["tensions_N"]);
     assert!(tensions.iter().all(|f| (1000.0..=8000.0).contains(f)), "{tensions:?}");
-    let missing = numbers(&answer["missing_wrench"]);
+    let missing = numbers(&answer["missing_wrench_N_Nm"]);
     let residual = numbers(&answer["wrench_residual"]);
     assert!(missing.iter().zip(&residual).all(|(missing, rest)| (missing + rest).abs() < 1e-9), "{answer}");
     let force = answer["missing_force_N"].as_f64().unwrap();

@@ -1,18 +1,16 @@
 //! Poses as points, with a rotation counted as the displacement of the platform's anchors.
 
-use nalgebra::Vector3;
-use serde::Serialize;
-
 use super::fade::left;
 use crate::geometry::{Pose, Twist};
 use crate::model::Model;
+use nalgebra::Vector3;
 
 /// Margin around the samples along a coordinate: a fraction of its own range, but at least a fraction of the largest
 /// range.
 const MARGINS: (f64, f64) = (0.05, 0.01);
 
 /// Range of the samples along one coordinate about their mean.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Extent {
     /// World axis of the coordinate, `x` to `z` or `rx` to `rz`.
     pub axis: &'static str,

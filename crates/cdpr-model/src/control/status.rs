@@ -1,8 +1,7 @@
 //! Status of a machine's answer.
 
 /// Outcome of a machine's forward problem for a command.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, serde::Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum Status {
     /// The platform comes to rest at the pose.

@@ -3,11 +3,11 @@
 use thiserror::Error;
 
 use crate::geometry::{POSE_ROWS, Pose};
+use crate::reading::keywords;
 use crate::scalar::LaneTable;
 
 /// How the search for a pose ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Status {
     /// The pose is the solution: of lengths the exact or least-squares fit, of forces a stable equilibrium.
@@ -19,6 +19,8 @@ pub enum Status {
     /// An equilibrium that the smallest disturbance ends; no stable one was found.
     Unstable,
 }
+
+keywords!(Status: Converged = "converged", NotConverged = "not-converged", Singular = "singular", Unstable = "unstable");
 
 /// Outcome of a forward problem; `pose` is the best one found even when it did not converge.
 #[must_use = "check `status` before using the pose"]

@@ -1,11 +1,11 @@
 //! Start of a search.
 
 use crate::geometry::Pose;
+use crate::reading::keywords;
 use crate::robot::Robot;
 
 /// Start of the search for a pose.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, serde::Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum Start {
     /// The guess given by the caller.
     Guess,
@@ -14,6 +14,8 @@ pub enum Start {
     /// The mean of the frame anchors, since there is neither guess nor home pose.
     MiddleOfAnchors,
 }
+
+keywords!(Start: Guess = "guess", HomePose = "home-pose", MiddleOfAnchors = "middle-of-anchors");
 
 impl Start {
     /// Start of a search for a robot and an optional guess, with the pose there.

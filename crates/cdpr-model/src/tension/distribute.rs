@@ -6,17 +6,14 @@
 
 use std::fmt;
 
-use nalgebra::{DMatrix, DVector};
-use serde::Serialize;
-
 use super::{InputError, Limits, Options, quadratic};
+use nalgebra::{DMatrix, DVector};
 
 /// Tensions this near to a limit, relative to the largest limit, are on it.
 pub(super) const ON_LIMIT: f64 = 1e-9;
 
 /// Whether tensions balance the load within the limits.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Status {
     /// The tensions balance the load and keep their limits.

@@ -7,6 +7,7 @@ use cdpr_study::effects;
 use cdpr_workspace::Bounds;
 use serde::Serialize;
 
+use crate::keys::PoseErrorKeys;
 /// Control models for a task, judged against a machine; keys and units as in JSON.
 #[derive(Serialize)]
 pub struct AdviceAnswer {
@@ -79,8 +80,10 @@ pub struct AdvisedModel {
     /// Effects of the machine that it lacks.
     pub left_out: Vec<&'static str>,
     /// Position error.
+    #[serde(with = "PoseErrorKeys")]
     pub position_error_m: PoseErrorStatistics,
     /// Rotation error.
+    #[serde(with = "PoseErrorKeys")]
     pub rotation_error_rad: PoseErrorStatistics,
     /// Tension error.
     #[serde(rename = "tension_error_N")]

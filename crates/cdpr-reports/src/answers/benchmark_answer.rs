@@ -8,6 +8,7 @@ use serde::Serialize;
 use super::Answer;
 use crate::figures::{ErrorPanel, ErrorRows, Figure};
 use crate::html_page::{Page, PageError, PageKind, plain, prose};
+use crate::keys::BenchmarkKeys;
 use crate::number_format::{NONE, significant};
 use crate::table::Table;
 
@@ -18,7 +19,7 @@ const TEMPLATE: &str = include_str!("benchmark.html");
 pub struct BenchmarkAnswer {
     status: &'static str,
     reason: Option<String>,
-    #[serde(flatten)]
+    #[serde(flatten, with = "BenchmarkKeys")]
     benchmark: Benchmark,
     /// Errors that the robots' sources print of real machines.
     printed: Vec<PublishedErrors>,

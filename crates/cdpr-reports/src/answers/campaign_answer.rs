@@ -10,6 +10,7 @@ use serde::Serialize;
 use super::{Answer, title};
 use crate::figures::{CourseHeight, CoursePanel, Figure, rounds};
 use crate::html_page::{Page, PageError, PageKind, plain, prose};
+use crate::keys::{Each, RoundKeys, Word};
 use crate::number_format::{NONE, significant};
 use crate::table::Table;
 
@@ -18,6 +19,7 @@ const TEMPLATE: &str = include_str!("campaign.html");
 /// Rounds of a campaign.
 #[derive(Serialize)]
 pub struct CampaignAnswer {
+    #[serde(with = "Word")]
     status: CampaignStatus,
     reason: String,
     control: String,
@@ -28,6 +30,7 @@ pub struct CampaignAnswer {
     candidates: usize,
     /// The first controller.
     nominal: Nominal,
+    #[serde(with = "Each::<RoundKeys>")]
     rounds: Vec<Round>,
     /// Poses that the campaign waits for.
     waits_for: usize,

@@ -9,6 +9,7 @@ use serde::Serialize;
 
 use super::error_table::{Source, error_table};
 use super::{Answer, PoseAnswer, beyond_words};
+use crate::keys::{Each, ExtentKeys, JudgedMapKeys};
 use crate::number_format::significant;
 
 /// A map in short.
@@ -29,6 +30,7 @@ pub struct CompensationAnswer {
     /// Reach of the samples, within which the map acts as a whole, and margins over which it fades.
     region: MapRegion,
     /// Errors on samples held out in turn.
+    #[serde(with = "JudgedMapKeys")]
     held_out: Judged,
     #[serde(skip_serializing_if = "Option::is_none")]
     out: Option<String>,
@@ -42,6 +44,7 @@ pub struct CompensationAnswer {
 struct MapRegion {
     /// Pose about which coordinates count.
     centre: PoseAnswer,
+    #[serde(with = "Each::<ExtentKeys>")]
     coordinates: Vec<Extent>,
 }
 

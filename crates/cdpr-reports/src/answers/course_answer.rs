@@ -6,6 +6,7 @@ use serde::Serialize;
 
 use super::uncertainty_answer::shown;
 use crate::figures::{CourseHeight, CoursePanel, Figure, course};
+use crate::keys::{CourseStepKeys, Each};
 use crate::number_format::{NONE, condition, significant};
 use crate::report::Addition;
 use crate::table::Table;
@@ -14,6 +15,7 @@ use crate::table::Table;
 #[derive(Serialize)]
 #[serde(transparent)]
 pub struct CourseAnswer {
+    #[serde(with = "Each::<CourseStepKeys>")]
     steps: Vec<CourseStep>,
     #[serde(skip)]
     parameters: Vec<Estimate>,

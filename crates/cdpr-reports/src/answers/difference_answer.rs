@@ -10,6 +10,7 @@ use serde::Serialize;
 use super::tracking_answer::TrackingAnswer;
 use super::{axis_names, control_title};
 use crate::figures::{DifferenceMap, DifferencePoint};
+use crate::keys::DifferenceKeys;
 use crate::number_format::{NONE, short, significant};
 use crate::study_page::{SAME_HEIGHT, levels};
 use crate::table::Table;
@@ -21,7 +22,7 @@ pub struct DifferenceAnswer {
     against: String,
     /// The other control model.
     other_control: String,
-    #[serde(flatten)]
+    #[serde(flatten, with = "DifferenceKeys")]
     difference: Difference,
     #[serde(skip)]
     pattern: MotionPattern,

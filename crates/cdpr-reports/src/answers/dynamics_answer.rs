@@ -8,6 +8,7 @@ use cdpr_plant::{Inertia, Plant, PlantError, assumptions_under_tensions};
 use serde::Serialize;
 
 use super::modes_answer::rows;
+use super::pose_answer::{AngularRate, rates};
 use super::{Answer, PoseAnswer, WrenchAnswer, assumed_numbers, degrees_of_freedom};
 use crate::number_format::{cell, significant};
 use crate::table::Table;
@@ -22,15 +23,19 @@ pub struct DynamicsAnswer {
     #[serde(skip_serializing_if = "Option::is_none")]
     reason: Option<String>,
     pose: PoseAnswer,
-    /// Names of the components of matrix, bias, twist and acceleration.
+    /// Names of the components of the matrix, and of velocities and accelerations one behind the other.
     degrees_of_freedom: Vec<String>,
-    /// \[v; ω\] (m/s, rad/s).
-    twist: Vec<f64>,
+    /// v of the platform origin.
+    velocity_m_s: Vec<f64>,
+    /// ω.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    angular_velocity_rad_s: Option<AngularRate>,
     /// M (kg, kg·m, kg·m²) and n (N, N·m) of M \[v̇; ω̇\] + n = wrench.
     mass_matrix: Vec<Vec<f64>>,
     bias: WrenchAnswer,
-    /// \[v̇; ω̇\] (m/s², rad/s²).
-    acceleration: Vec<f64>,
+    acceleration_m_s2: Vec<f64>,
+    #[serde(skip_serializing_if = "Option::is_none")]
+    angular_acceleration_rad_s2: Option<AngularRate>,
     /// Wrench of the cables on the platform.
     cables: WrenchAnswer,
     /// Null where there are none within the limits.
@@ -73,7 +78,8 @@ impl DynamicsAnswer {
         cables: &Wrench,
     ) -> Self {
         let robot = model.robot();
-        let rates = |twist: &Twist| model.twist_basis().iter().map(|basis| basis.dot(twist) + 0.0).collect();
+        let (velocity_m_s, angular_velocity_rad_s) = rates(model, twist);
+        let (acceleration_m_s2, angular_acceleration_rad_s2) = rates(model, acceleration);
         Self {
             robot: robot.name.clone(),
             model: model.composition().to_string(),
@@ -81,10 +87,12 @@ impl DynamicsAnswer {
             reason: None,
             pose: PoseAnswer::new(robot, pose),
             degrees_of_freedom: degrees_of_freedom(robot),
-            twist: rates(twist),
+            velocity_m_s,
+            angular_velocity_rad_s,
             mass_matrix: rows(&inertia.mass_matrix_in_pattern(model, pose)),
             bias: WrenchAnswer::new(robot, &inertia.bias(pose, twist)),
-            acceleration: rates(acceleration),
+            acceleration_m_s2,
+            angular_acceleration_rad_s2,
             cables: WrenchAnswer::new(robot, cables),
             tensions: None,
             assumptions: assumptions_under_tensions(model).cloned().collect(),
@@ -132,14 +140,21 @@ impl DynamicsAnswer {
 
     /// True when every number is finite.
     pub fn is_finite(&self) -> bool {
-        let numbers = self.acceleration.iter().chain(self.tensions.iter().flatten());
-        numbers.into_iter().all(|number| number.is_finite()) && self.cables.is_finite() && self.bias.is_finite()
+        let acceleration = components(&self.acceleration_m_s2, self.angular_acceleration_rad_s2.as_ref());
+        acceleration.iter().chain(self.tensions.iter().flatten()).all(|number| number.is_finite())
+            && self.cables.is_finite()
+            && self.bias.is_finite()
     }
 }
 
 /// Wrench of the cables that an acceleration takes under a load: M \[v̇; ω̇\] + n − w.
 pub fn needed_wrench(inertia: &Inertia, pose: &Pose, twist: &Twist, load: &Load, acceleration: &Twist) -> Wrench {
     inertia.wrench_of_acceleration(pose, twist, acceleration) - load.wrench(pose)
+}
+
+/// Translation, then rotation.
+fn components(translation: &[f64], turning: Option<&AngularRate>) -> Vec<f64> {
+    [translation, turning.map_or(&[], AngularRate::components)].concat()
 }
 
 impl Answer for DynamicsAnswer {
@@ -152,7 +167,9 @@ impl Answer for DynamicsAnswer {
         self.reason.iter().for_each(|reason| text.push_str(&format!(": {reason}")));
         text.push_str("\n\nmotion (m, rad, s)\n");
         let mut motion = Table::with_heading([vec![String::new()], self.degrees_of_freedom.clone()].concat());
-        for (name, numbers) in [("twist", &self.twist), ("acceleration", &self.acceleration)] {
+        let twist = components(&self.velocity_m_s, self.angular_velocity_rad_s.as_ref());
+        let acceleration = components(&self.acceleration_m_s2, self.angular_acceleration_rad_s2.as_ref());
+        for (name, numbers) in [("twist", twist), ("acceleration", acceleration)] {
             motion.row([vec![name.to_owned()], numbers.iter().map(|x| cell(Some(*x), 4)).collect()].concat());
         }
         text.push_str(&motion.text(width));

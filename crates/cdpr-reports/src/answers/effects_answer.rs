@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use super::missing_effects::{self, MissingEffect, missing_effects};
 use super::{Answer, PoseAnswer};
+use crate::keys::{DisplacementKeys, Maybe};
 use crate::number_format::cell;
 use crate::table::Table;
 
@@ -38,8 +39,10 @@ struct EffectAnswer {
     length_change_m: Option<LengthChange>,
     #[serde(rename = "tension_change_N")]
     tension_change: Option<f64>,
+    #[serde(with = "Maybe::<DisplacementKeys>")]
     platform: Option<Displacement>,
     length_change_beyond_home_m: Option<LengthChange>,
+    #[serde(with = "Maybe::<DisplacementKeys>")]
     platform_beyond_home: Option<Displacement>,
     parameter_count: usize,
     cost: &'static str,

@@ -13,6 +13,7 @@ use serde::Serialize;
 use super::error_table::{Source, error_table};
 use super::identification_words::reason_of;
 use super::{Answer, axis_names, beyond_words, components};
+use crate::keys::{BeyondKeys, ErrorBlockKeys};
 
 /// Errors of a model on measurements, in short.
 #[derive(Serialize)]
@@ -29,7 +30,7 @@ pub struct EvaluationAnswer {
     trusted: bool,
     #[serde(skip)]
     verdict: Verdict,
-    #[serde(flatten)]
+    #[serde(flatten, with = "ErrorBlockKeys")]
     blocks: ErrorBlocks,
     /// Map that corrects the lengths.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -47,7 +48,7 @@ pub struct EvaluationAnswer {
 struct UsedMap {
     file: String,
     /// Samples beyond those of the map, at which the model stands alone, and in the margin around them.
-    #[serde(flatten)]
+    #[serde(flatten, with = "BeyondKeys")]
     beyond: Beyond,
 }
 

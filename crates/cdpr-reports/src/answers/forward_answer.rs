@@ -9,6 +9,7 @@ use serde::Serialize;
 
 use super::stiffness_answer::word;
 use super::{Answer, PoseAnswer};
+use crate::keys::Word;
 use crate::number_format::cell;
 use crate::table::Table;
 
@@ -46,8 +47,10 @@ struct AlternativeAnswer {
 pub struct ForwardAnswer {
     robot: String,
     model: String,
+    #[serde(with = "Word")]
     status: Status,
     reason: Option<String>,
+    #[serde(with = "Word")]
     sought_from: Start,
     pose: PoseAnswer,
     /// A better fit elsewhere than the pose that belongs to the start of the search.

@@ -2,7 +2,7 @@
 
 use cdpr_calibration::fit::Estimate;
 use cdpr_calibration::selection::Warnings;
-use cdpr_calibration::{Analysis, Doubt, Verdict};
+use cdpr_calibration::{Analysis, ClockOffset, Doubt, Outlier, Verdict};
 
 use super::Answer;
 use super::error_table::{Source, error_table};
@@ -28,24 +28,26 @@ impl Answer for Identified {
 }
 
 fn of(answer: &Identified, width: Option<usize>) -> String {
-    let Identified { robot, model, data, samples, parameter_count, iterations, reason, .. } = answer;
+    let Identified { robot, model, told, found, .. } = answer;
+    let (fit, data, samples) = (&found.fit, &told.data, found.sample_count);
+    let (parameter_count, iterations, reason) = (fit.parameters.len(), fit.iterations, &fit.reason);
     let status = verdict_words(answer.verdict);
     let mut text = format!("{robot}, model {model}: {parameter_count} parameters from {samples} samples of {data}\n");
     // what must be known before the outcome
-    let Warnings { doubts, remarks } = &answer.warnings;
+    let Warnings { doubts, remarks } = &told.warnings;
     text.push_str(&doubt_words(doubts));
     text.push_str(&format!("{status} after {iterations} iterations: {reason}\n"));
-    if answer.verdict != Verdict::NotConverged && !answer.parameters.is_empty() {
-        text.push_str(&format!("ended by {}\n", answer.stopped_by));
+    if answer.verdict != Verdict::NotConverged && !fit.parameters.is_empty() {
+        text.push_str(&format!("ended by {}\n", fit.stopped_by));
     }
-    if !answer.parameters.is_empty() {
+    if !fit.parameters.is_empty() {
         text.push_str(&format!(
             "\n{}\n{}",
-            parameters(&answer.parameters, width),
-            identifiability(&answer.analysis, answer.parameter_count, answer.noise_factor)
+            parameters(&fit.parameters, width),
+            identifiability(&fit.analysis, parameter_count, fit.noise_factor)
         ));
     }
-    if let (Some(offset), Some(sigma)) = (answer.clock_offset, answer.clock_sigma) {
+    if let Some(ClockOffset { seconds: offset, sigma, .. }) = fit.clock_offset {
         let side = if offset > 0.0 { "late" } else { "early" };
         text.push_str(&format!(
             "\nclocks: poses are recorded {:.2} ± {:.2} ms {side}\n",
@@ -53,25 +55,25 @@ fn of(answer: &Identified, width: Option<usize>) -> String {
             1e3 * sigma
         ));
     }
-    if let Some(frames) = &answer.frames {
+    if let Some(frames) = &fit.frames {
         text.push_str(&format!("\n{}", frame_words(frames)));
     }
     text.extend(answer.course.iter().map(|course| course.words(width)));
     text.push_str(&answer.uncertainty.words(width));
     text.push_str(&format!("\n{}", errors(answer, width)));
-    text.push_str(&answer.objective.words(answer.pattern, width));
+    text.push_str(&answer.objective.words(found, answer.pattern, width));
     text.extend(answer.path.iter().map(|path| path.words(width)));
     text.extend(answer.reduction.iter().map(ReductionAnswer::words));
     text.extend(answer.scaling.iter().map(|scaling| scaling.words(width)));
-    if !answer.outliers.is_empty() {
-        text.push_str(&format!("\n{}", outliers(answer, width)));
+    if !fit.outliers.is_empty() {
+        text.push_str(&format!("\n{}", outliers(&fit.outliers, width)));
     }
     if !remarks.is_empty() {
         text.push_str("\nwarnings\n");
         remarks.iter().for_each(|warning| text.push_str(&format!("  {warning}\n")));
     }
-    text.push_str(&start_words(&answer.starts, width));
-    if let Some(path) = &answer.out {
+    text.push_str(&start_words(&fit.starts, width));
+    if let Some(path) = &told.out {
         text.push_str(&format!("\ncalibrated robot written to {path}\n"));
     }
     text
@@ -130,9 +132,9 @@ pub(super) fn parameters(estimates: &[Estimate], width: Option<usize>) -> String
 /// Outliers that a table shows before it refers to the others.
 const MOST_OUTLIERS: usize = 20;
 
-fn outliers(answer: &Identified, width: Option<usize>) -> String {
+fn outliers(outliers: &[Outlier], width: Option<usize>) -> String {
     let mut table = Table::new(["outlier", "line", "residual mm", "weight", ""]).left_column(4);
-    for outlier in answer.outliers.iter().take(MOST_OUTLIERS) {
+    for outlier in outliers.iter().take(MOST_OUTLIERS) {
         table.row(vec![
             format!("sample {}", outlier.sample),
             outlier.line.map_or_else(String::new, |line| line.to_string()),
@@ -141,7 +143,7 @@ fn outliers(answer: &Identified, width: Option<usize>) -> String {
             outlier.reason.clone(),
         ]);
     }
-    let more = match answer.outliers.len().saturating_sub(MOST_OUTLIERS) {
+    let more = match outliers.len().saturating_sub(MOST_OUTLIERS) {
         0 => String::new(),
         more => format!("and {more} more (see --format json)\n"),
     };
@@ -188,10 +190,11 @@ fn condition_number(number: f64) -> String {
 }
 
 fn errors(answer: &Identified, width: Option<usize>) -> String {
-    let mut columns = vec![("train before", &answer.train_before), ("train after", &answer.train)];
-    if let (Some(before), Some(after)) = (&answer.validation_before, &answer.validation) {
+    let found = &answer.found;
+    let mut columns = vec![("train before", &found.train_before), ("train after", &found.train)];
+    if let (Some(before), Some(after)) = (&found.validation_before, &found.validation) {
         columns.extend([("validation before", before), ("validation after", after)]);
     }
-    let note = answer.validation_data.iter().map(|name| format!("validation: {name}, not fitted to\n"));
+    let note = answer.told.validation_data.iter().map(|name| format!("validation: {name}, not fitted to\n"));
     error_table(answer.pattern, &columns, Source::Measurements, width) + &note.collect::<String>()
 }

@@ -1,37 +1,28 @@
 //! Objective of a fit, the errors that it does not look at, and the optima of other objectives.
 
+use cdpr_calibration::fit::Status;
 use cdpr_calibration::{Certificate, ErrorBlocks, Loss, Minimize, Objective, ObjectiveValues};
 use cdpr_model::geometry::MotionPattern;
 use cdpr_model::reading::Keyword;
-use cdpr_study::JudgedOptimum;
 use cdpr_study::accuracy::Accuracy;
+use cdpr_study::{Identification, JudgedOptimum};
 use serde::Serialize;
 
 use crate::figures::{ErrorPanel, ErrorRows};
+use crate::keys::{Each, OptimumKeys, Word};
 use crate::number_format::{cell, significant};
 use crate::report::Addition;
 use crate::table::Table;
 
-/// Objective of a fit with the values of all objectives, and the driven errors.
+/// Objective of a fit, and the driven errors.
 #[derive(Clone, Debug, Serialize)]
 pub struct ObjectiveAnswer {
     /// Residuals that were made small.
+    #[serde(with = "Word")]
     pub objective: Objective,
     /// Cost of all samples.
+    #[serde(with = "Word")]
     pub minimize: Minimize,
-    /// Loss of the fit, which its answer tells elsewhere.
-    #[serde(skip)]
-    pub loss: Loss,
-    /// Values of every objective on the samples of the fit, after and before.
-    pub objective_values: ObjectiveValues,
-    /// The same of the model as given.
-    pub objective_values_before: ObjectiveValues,
-    /// Proof of the least largest error.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    pub certificate: Option<Certificate>,
-    /// Whether the search of the fit ended at an optimum.
-    #[serde(skip)]
-    pub converged: bool,
     /// The calibrated controller on a machine.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub driven: Option<Accuracy>,
@@ -39,7 +30,7 @@ pub struct ObjectiveAnswer {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub driven_before: Option<Accuracy>,
     /// The model as given and the optimum of every objective, each judged by all.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(with = "Each::<OptimumKeys>", skip_serializing_if = "Vec::is_empty")]
     pub objectives: Vec<JudgedOptimum>,
 }
 
@@ -60,13 +51,17 @@ impl ObjectiveAnswer {
     }
 
     /// Tables and sentences.
-    pub(super) fn words(&self, pattern: MotionPattern, width: Option<usize>) -> String {
-        let mut text = String::new();
+    pub(super) fn words(&self, found: &Identification, pattern: MotionPattern, width: Option<usize>) -> String {
+        let (mut text, fit) = (String::new(), &found.fit);
         if (self.objective, self.minimize) != (Objective::Length, Minimize::Squares) {
-            text.push_str(&format!("\nobjective: {} of {}\n", self.cost(), self.residuals(pattern)));
+            text.push_str(&format!(
+                "\nobjective: {} of {}\n",
+                self.cost(fit.loss),
+                self.residuals(&found.objective_values, pattern)
+            ));
         }
-        if let Some(certificate) = &self.certificate {
-            text.push_str(&proof(certificate, self.converged));
+        if let Some(certificate) = &fit.certificate {
+            text.push_str(&proof(certificate, fit.status != Status::NotConverged));
         }
         if let Some(driven) = &self.driven {
             text.push_str(&format!("\n{}", self.driven_table(driven, pattern, width)));
@@ -97,19 +92,19 @@ impl ObjectiveAnswer {
         })
     }
 
-    fn cost(&self) -> String {
-        match (self.minimize, self.loss) {
+    fn cost(&self, loss: Loss) -> String {
+        match (self.minimize, loss) {
             (Minimize::Mean, _) => "mean of the norms".to_owned(),
             (Minimize::Max, _) => "largest norm".to_owned(),
-            (_, Loss::Huber | Loss::Cauchy) => format!("sum over samples of the {} loss", self.loss.name()),
+            (_, Loss::Huber | Loss::Cauchy) => format!("sum over samples of the {} loss", loss.name()),
             _ => "sum of squares".to_owned(),
         }
     }
 
-    fn residuals(&self, pattern: MotionPattern) -> String {
+    fn residuals(&self, values: &ObjectiveValues, pattern: MotionPattern) -> String {
         match self.objective {
             Objective::Pose if pattern.has_rotation() => {
-                let length = self.objective_values.rotation_length_m;
+                let length = values.rotation_length_m;
                 format!("the errors of predicted poses, rotations by {} m", cell(Some(length), 3))
             }
             Objective::Pose => "the errors of predicted poses".to_owned(),

@@ -6,6 +6,7 @@ use cdpr_model::model::FreeParameters;
 use serde::Serialize;
 
 use crate::figures::{Figure, PathCurves};
+use crate::keys::{Each, PathParameterKeys, PathPointKeys, Word};
 use crate::number_format::{cell, condition, significant};
 use crate::report::Addition;
 use crate::table::Table;
@@ -14,8 +15,10 @@ use crate::table::Table;
 #[derive(Serialize)]
 pub struct PathAnswer {
     /// Penalties from large to small, with what they lead to.
+    #[serde(with = "Each::<PathPointKeys>")]
     pub path: Vec<PathPoint>,
     /// Parameters in the order of the values.
+    #[serde(with = "Each::<PathParameterKeys>")]
     pub path_parameters: Vec<PathParameter>,
     /// The penalty and the choice.
     pub path_choice: PathChoice,
@@ -27,8 +30,10 @@ pub struct PathAnswer {
 #[derive(Serialize)]
 pub struct PathChoice {
     /// The penalty.
+    #[serde(with = "Word")]
     pub penalty: Penalty,
     /// Its centre.
+    #[serde(with = "Word")]
     pub towards: Towards,
     /// Parameters that it acts on; empty: all that are free.
     pub shrink: FreeParameters,

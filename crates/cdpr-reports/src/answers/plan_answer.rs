@@ -8,6 +8,7 @@ use cdpr_model::reading::Keyword;
 use serde::Serialize;
 
 use super::Answer;
+use crate::keys::{Maybe, PlanKeys, PredictedKeys};
 use crate::number_format::{NONE, condition, significant};
 use crate::table::Table;
 
@@ -54,12 +55,13 @@ pub struct PlanAnswer {
     poses: Vec<usize>,
     /// The same poses by their components.
     pose_components: Vec<Vec<f64>>,
-    #[serde(flatten)]
+    #[serde(flatten, with = "PlanKeys")]
     plan: Plan,
     /// Cable that is shortened at each of the poses for a tension test; null elsewhere.
     #[serde(skip_serializing_if = "Option::is_none")]
     tension_tests: Option<Vec<Option<TensionTest>>>,
     /// Deviations to expect.
+    #[serde(with = "Maybe::<PredictedKeys>")]
     predicted: Option<Predicted>,
     /// Weak directions that stay when every candidate is measured.
     weak_whatever_is_measured: Vec<String>,

@@ -1,13 +1,15 @@
 //! Poses and vectors in the components of a motion pattern.
 
-use cdpr_model::geometry::{MotionPattern, Pose};
+use cdpr_model::geometry::{MotionPattern, Pose, Twist};
 use cdpr_model::model::Model;
 use cdpr_model::robot::Robot;
 use nalgebra::Vector3;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// A pose as the contract writes it.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
+#[schemars(rename = "PoseAnswer")]
 pub struct PoseAnswer {
     /// Position (m): three components, or the two of a planar robot.
     position_m: Vec<f64>,
@@ -46,6 +48,37 @@ impl PoseAnswer {
     /// The components with names and units.
     pub fn words(&self) -> &str {
         &self.words
+    }
+}
+
+/// Translation and rotation of a twist or its rate, in the directions of a model's motion.
+pub(super) fn rates(model: &Model, twist: &Twist) -> (Vec<f64>, Option<AngularRate>) {
+    let pattern = model.robot().motion_pattern;
+    let all: Vec<f64> = model.twist_basis().iter().map(|basis| basis.dot(twist) + 0.0).collect();
+    let (translation, turning) = all.split_at(pattern.translations());
+    let turning = match pattern {
+        MotionPattern::Planar => Some(AngularRate::Planar(turning[0])),
+        MotionPattern::Spatial => Some(AngularRate::Spatial([turning[0], turning[1], turning[2]])),
+        _ => None,
+    };
+    (translation.to_vec(), turning)
+}
+
+/// Components about the world's axes, or of a planar robot about the normal of its plane.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[serde(untagged)]
+pub(super) enum AngularRate {
+    Planar(f64),
+    Spatial([f64; 3]),
+}
+
+impl AngularRate {
+    /// One number, or three.
+    pub(super) fn components(&self) -> &[f64] {
+        match self {
+            Self::Planar(angle) => std::slice::from_ref(angle),
+            Self::Spatial(vector) => vector,
+        }
     }
 }
 

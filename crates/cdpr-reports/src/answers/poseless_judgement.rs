@@ -4,15 +4,17 @@ use cdpr_calibration::ErrorBlocks;
 use cdpr_model::measurement::Split;
 use serde::Serialize;
 
+use crate::keys::{ErrorBlockKeys, Maybe};
 use crate::number_format::significant;
 
 /// Errors of lengths and swivel angles at the poses where measurements agree best, of the calibrated model and of the one as given.
 #[derive(Serialize)]
 pub struct PoselessJudgement {
     data: String,
-    #[serde(flatten)]
+    #[serde(flatten, with = "ErrorBlockKeys")]
     errors: ErrorBlocks,
     /// Of the model as given; `None` if it has no such poses.
+    #[serde(with = "Maybe::<ErrorBlockKeys>")]
     before: Option<ErrorBlocks>,
 }
 

@@ -1,24 +1,28 @@
 //! Candidates rated by several criteria side by side.
 
 use cdpr_calibration::selection::{Preference, Rating, SelectionCriterion};
+use schemars::JsonSchema;
 use serde::Serialize;
 
+use crate::keys::{Each, PreferenceKeys};
 use crate::number_format::{NONE, significant};
 
 /// Choices of all criteria, and whether they agree.
-#[derive(Serialize)]
-pub struct RatingAnswer {
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Rating")]
+pub struct RatingAnswer<'a> {
     /// Whether all criteria choose the same candidate.
     pub agrees: bool,
     /// Agreement or disagreement in words.
-    pub words: String,
+    pub words: &'a str,
     /// Every criterion with its choice.
-    pub criteria: Vec<Preference>,
+    #[serde(with = "Each::<PreferenceKeys>")]
+    pub criteria: &'a [Preference],
 }
 
-impl RatingAnswer {
-    pub(super) fn new(rating: &Rating) -> Self {
-        Self { agrees: rating.agrees, words: rating.words.clone(), criteria: rating.criteria.clone() }
+impl<'a> RatingAnswer<'a> {
+    pub(super) fn new(rating: &'a Rating) -> Self {
+        Self { agrees: rating.agrees, words: &rating.words, criteria: &rating.criteria }
     }
 }
 

@@ -1,39 +1,25 @@
 //! Smaller model that a fit proposes: JSON and words.
 
-use cdpr_calibration::{Evidence, Reduction};
-use cdpr_model::geometry::MotionPattern;
+use cdpr_calibration::Reduction;
 use serde::Serialize;
 
+use crate::keys::ReductionKeys;
 use crate::number_format::{decimals_for, fixed};
 use crate::report::Addition;
 
 /// Smaller model, with the numbers that show it.
 #[derive(Serialize)]
 pub struct ReductionAnswer {
-    evidence: Evidence,
-    reason: String,
-    patterns: [MotionPattern; 2],
-    parameter_count: [usize; 2],
-    left: Vec<String>,
-    position_mean_m: [f64; 2],
-    standard_error: f64,
+    #[serde(flatten, with = "ReductionKeys")]
+    found: Reduction,
     #[serde(skip_serializing_if = "Option::is_none")]
     out: Option<String>,
 }
 
 impl ReductionAnswer {
     /// Of a proposal, with the name of the file that it is written to.
-    pub fn new(found: &Reduction, out: Option<String>) -> Self {
-        Self {
-            evidence: found.evidence,
-            reason: found.reason.clone(),
-            patterns: found.patterns,
-            parameter_count: found.parameter_count,
-            left: found.left.clone(),
-            position_mean_m: found.position_mean_m,
-            standard_error: found.standard_error,
-            out,
-        }
+    pub fn new(found: Reduction, out: Option<String>) -> Self {
+        Self { found, out }
     }
 
     /// Part of a page.
@@ -55,15 +41,15 @@ impl ReductionAnswer {
 
     /// Size, reason and errors.
     fn sentences(&self) -> [String; 3] {
-        let Self { reason, patterns: [before, after], parameter_count: [full, reduced], .. } = self;
-        let decimals = decimals_for(Some(1e3 * self.standard_error));
-        let [of_full, of_reduced] = self.position_mean_m.map(|error| fixed(1e3 * error, decimals));
+        let Reduction { reason, patterns: [before, after], parameter_count: [full, reduced], .. } = &self.found;
+        let decimals = decimals_for(Some(1e3 * self.found.standard_error));
+        let [of_full, of_reduced] = self.found.position_mean_m.map(|error| fixed(1e3 * error, decimals));
         let pattern = if before == after {
             String::new()
         } else {
             format!(", motion pattern {} → {}", before.name(), after.name())
         };
-        let error = fixed(1e3 * self.standard_error, decimals);
+        let error = fixed(1e3 * self.found.standard_error, decimals);
         let file = match &self.out {
             Some(out) => format!("written to {out}"),
             None => "`--out-reduced FILE` writes it".to_owned(),

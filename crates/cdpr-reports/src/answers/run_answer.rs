@@ -1,107 +1,78 @@
 //! Answer of a run: how it ended, where the machine is, and what happened on the way.
 
-use cdpr_model::geometry::MotionPattern;
 use cdpr_model::model::Model;
 use cdpr_model::robot::Assumption;
 use cdpr_plant::scenario::Integrator;
-use cdpr_plant::{Event, Plant, PlantState, RunEnd, Simulation, Summary, Winches};
+use cdpr_plant::{Energy, Event, Plant, PlantState, RunEnd, Simulation, Summary, Winches};
+use schemars::JsonSchema;
 use serde::Serialize;
 
+use super::pose_answer::{AngularRate, rates};
 use super::{Answer, PoseAnswer, assumed_numbers, inertia_doubt, title};
+use crate::keys::{Each, EnergyKeys, Maybe, SlackKeys, ViolationKeys};
 use crate::number_format::{cell, short};
 use crate::recording::{OTHERS, Violation, sentence};
 use crate::table::Table;
 
 /// End of a run.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
+#[schemars(rename = "Run")]
 pub struct RunAnswer {
-    robot: String,
-    model: String,
+    pub(crate) robot: String,
+    pub(crate) model: String,
     /// `completed`, `stopped`, `failed`.
-    status: &'static str,
+    pub(crate) status: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
-    reason: Option<String>,
+    pub(crate) reason: Option<String>,
     /// `symplectic` or `error-controlled`.
-    integrator: Integrator,
-    steps: u64,
+    pub(crate) integrator: Integrator,
+    pub(crate) steps: u64,
     #[serde(rename = "final")]
-    last: FinalState,
+    pub(crate) last: FinalState,
     #[serde(rename = "tension_min_N")]
-    tension_min: f64,
+    pub(crate) tension_min: f64,
     #[serde(rename = "tension_max_N")]
-    tension_max: f64,
+    pub(crate) tension_max: f64,
     /// Energy at the end (J); null where tensions are no function of lengths alone.
-    #[serde(rename = "energy_J")]
-    energy: Option<EnergyAnswer>,
-    events: Vec<EventAnswer>,
+    #[serde(rename = "energy_J", with = "Maybe::<EnergyKeys>")]
+    pub(crate) energy: Option<Energy>,
+    pub(crate) events: Vec<EventAnswer>,
     /// Limits of tensions that were broken after any step, by first time and cable.
-    violations: Vec<ViolationAnswer>,
+    #[serde(with = "Each::<ViolationKeys>")]
+    pub(crate) violations: Vec<Violation>,
     /// Cables that were slack without breaking a limit.
-    slack: Vec<SlackAnswer>,
-    log: String,
+    #[serde(with = "Each::<SlackKeys>")]
+    pub(crate) slack: Vec<Violation>,
+    pub(crate) log: String,
     /// Numbers of the robot file that the motion rests on and that no source states.
-    assumptions: Vec<Assumption>,
-    warnings: Vec<String>,
+    pub(crate) assumptions: Vec<Assumption>,
+    pub(crate) warnings: Vec<String>,
     #[serde(skip)]
-    cable_names: Vec<String>,
+    pub(crate) cable_names: Vec<String>,
 }
 
-#[derive(Clone, Debug, Serialize)]
-struct FinalState {
+/// State at the end.
+#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
+pub(crate) struct FinalState {
     time_s: f64,
     #[serde(flatten)]
     pose: PoseAnswer,
     velocity_m_s: Vec<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    angular_velocity_rad_s: Option<AngularVelocity>,
+    angular_velocity_rad_s: Option<AngularRate>,
     #[serde(rename = "tensions_N")]
     tensions: Vec<f64>,
     cable_lengths_m: Vec<f64>,
 }
 
-/// About the world's axes, or of a planar robot about the normal of its plane.
-#[derive(Clone, Debug, Serialize)]
-#[serde(untagged)]
-enum AngularVelocity {
-    Planar(f64),
-    Spatial(Vec<f64>),
-}
-
-#[derive(Clone, Debug, Serialize)]
-struct EnergyAnswer {
-    kinetic: f64,
-    elastic: f64,
-    potential: f64,
-}
-
-#[derive(Clone, Debug, Serialize)]
-struct EventAnswer {
+/// Event that happened.
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(rename = "Event")]
+pub(crate) struct EventAnswer {
     time_s: f64,
     kind: &'static str,
     #[serde(skip_serializing_if = "Option::is_none")]
     cable: Option<usize>,
-}
-
-#[derive(Clone, Debug, Serialize)]
-struct ViolationAnswer {
-    /// Key of the robot file that states it.
-    limit: &'static str,
-    #[serde(rename = "limit_N")]
-    bound: f64,
-    cable: usize,
-    first_s: f64,
-    /// Tension farthest from the limit (N).
-    worst: f64,
-    /// Length of all steps that end with it.
-    duration_s: f64,
-    words: String,
-}
-
-#[derive(Clone, Debug, Serialize)]
-struct SlackAnswer {
-    cable: usize,
-    first_s: f64,
-    duration_s: f64,
 }
 
 impl RunAnswer {
@@ -113,11 +84,7 @@ impl RunAnswer {
             RunEnd::Stopped => ("stopped", Some(format!("the run was stopped at {} s", state.time))),
             RunEnd::Failed(error) => ("failed", Some(format!("after {:.6} s: {error}", state.time))),
         };
-        let energy = simulation.plant.energy(state).map(|energy| EnergyAnswer {
-            kinetic: energy.kinetic,
-            elastic: energy.elastic,
-            potential: energy.potential,
-        });
+        let (broken_limits, slack) = violations.iter().cloned().partition(Violation::is_broken_limit);
         Self {
             robot: model.robot().name.clone(),
             model: model.composition().to_string(),
@@ -128,11 +95,11 @@ impl RunAnswer {
             last: FinalState::new(model, state),
             tension_min: summary.tension_min,
             tension_max: summary.tension_max,
-            energy,
+            energy: simulation.plant.energy(state),
             events: summary.events.iter().map(EventAnswer::new).collect(),
             warnings: warnings(simulation, violations),
-            violations: violations.iter().filter_map(ViolationAnswer::of).collect(),
-            slack: violations.iter().filter(|one| !one.is_broken_limit()).map(SlackAnswer::of).collect(),
+            violations: broken_limits,
+            slack,
             log: log.to_owned(),
             assumptions: simulation.plant.assumptions().cloned().collect(),
             cable_names: model.robot().cables.iter().map(|cable| cable.name.clone()).collect(),
@@ -180,35 +147,15 @@ impl RunAnswer {
     }
 }
 
-impl ViolationAnswer {
-    fn of(violation: &Violation) -> Option<Self> {
-        Some(Self {
-            limit: violation.limit?,
-            bound: violation.bound,
-            cable: violation.cable + 1,
-            first_s: violation.first,
-            worst: violation.worst,
-            duration_s: violation.duration,
-            words: violation.words.clone(),
-        })
-    }
-
-    fn row(&self) -> [String; 5] {
-        let limit = format!("{} = {}", self.limit, short(self.bound));
-        [
-            self.cable.to_string(),
-            limit,
-            cell(Some(self.worst), 1),
-            cell(Some(self.first_s), 3),
-            cell(Some(self.duration_s), 3),
-        ]
-    }
-}
-
-impl SlackAnswer {
-    fn of(slack: &Violation) -> Self {
-        Self { cable: slack.cable + 1, first_s: slack.first, duration_s: slack.duration }
-    }
+fn row(violation: &Violation) -> Vec<String> {
+    let limit = format!("{} = {}", violation.limit.unwrap_or_default(), short(violation.bound));
+    vec![
+        (violation.cable + 1).to_string(),
+        limit,
+        cell(Some(violation.worst), 1),
+        cell(Some(violation.first), 3),
+        cell(Some(violation.duration), 3),
+    ]
 }
 
 /// The first broken limit in a sentence, with the number of the others.
@@ -237,18 +184,12 @@ fn warnings(simulation: &Simulation, violations: &[Violation]) -> Vec<String> {
 
 impl FinalState {
     fn new(model: &Model, state: &PlantState) -> Self {
-        let (robot, twist) = (model.robot(), state.twist());
-        let rates: Vec<f64> = model.twist_basis().iter().map(|basis| basis.dot(&twist) + 0.0).collect();
-        let (velocity, turning) = rates.split_at(robot.motion_pattern.translations());
+        let (velocity_m_s, angular_velocity_rad_s) = rates(model, &state.twist());
         Self {
             time_s: state.time,
-            pose: PoseAnswer::new(robot, &state.pose),
-            velocity_m_s: velocity.to_vec(),
-            angular_velocity_rad_s: match robot.motion_pattern {
-                MotionPattern::Planar => Some(AngularVelocity::Planar(turning[0])),
-                MotionPattern::Spatial => Some(AngularVelocity::Spatial(turning.to_vec())),
-                _ => None,
-            },
+            pose: PoseAnswer::new(model.robot(), &state.pose),
+            velocity_m_s,
+            angular_velocity_rad_s,
             tensions: state.cables.iter().map(|cable| cable.tension).collect(),
             cable_lengths_m: state.cables.iter().map(|cable| cable.controlled_length).collect(),
         }
@@ -280,7 +221,7 @@ impl Answer for RunAnswer {
         text.push_str(&format!("at {} s after {} steps: {}\n", short(last.time_s), self.steps, last.pose.words()));
         if !self.violations.is_empty() {
             let mut table = Table::new(["cable", "limit N", "worst N", "first s", "for s"]);
-            self.violations.iter().for_each(|one| table.row(one.row().to_vec()));
+            self.violations.iter().for_each(|one| table.row(row(one)));
             text.push_str(&format!("\n{}\n", table.text(width)));
         }
         if !self.events.is_empty() {

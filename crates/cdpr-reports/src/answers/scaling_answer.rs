@@ -5,6 +5,7 @@ use cdpr_model::robot::ParameterKind;
 use serde::Serialize;
 
 use crate::figures::{ConditionCells, Figure};
+use crate::keys::ConditioningKeys;
 use crate::number_format::{condition, significant};
 use crate::report::Addition;
 use crate::table::Table;
@@ -12,7 +13,7 @@ use crate::table::Table;
 /// Condition with scales as given or found.
 #[derive(Serialize)]
 pub struct ScalingAnswer {
-    #[serde(flatten)]
+    #[serde(flatten, with = "ConditioningKeys")]
     found: Conditioning,
     #[serde(skip)]
     is_auto: bool,

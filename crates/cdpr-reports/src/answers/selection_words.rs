@@ -11,7 +11,7 @@ use crate::number_format::{NONE, condition, significant};
 use crate::report::{times, value_and_error};
 use crate::table::Table;
 
-impl Answer for SelectionAnswer {
+impl Answer for SelectionAnswer<'_> {
     fn words(&self, width: Option<usize>) -> String {
         let mut text =
             format!("{}: {} samples of {}\njudged on {}\n", self.robot, self.samples, self.data, self.validation);
@@ -36,14 +36,14 @@ impl Answer for SelectionAnswer {
             let value = self.criterion.format_with_error(*criterion, *standard_error);
             text.push_str(&format!("  today, `{name}` as given: {value}{}\n", times(*ratio)));
         }
-        if let Some(frames) = &self.frames {
+        if let Some(frames) = self.frames {
             frame_words(frames).lines().for_each(|line| text.push_str(&format!("  {line}\n")));
         }
         if !self.untried.is_empty() {
             text.push_str(&format!("  not among the candidates: {}\n", self.untried.join("; ")));
         }
-        let chosen = self.candidates.iter().find(|candidate| Some(&candidate.name) == self.recommended.as_ref());
-        let own = chosen.and_then(|candidate| candidate.judged.as_ref());
+        let chosen = self.candidates.iter().find(|candidate| Some(candidate.name) == self.recommended.as_deref());
+        let own = chosen.and_then(|candidate| candidate.judged);
         for requirement in own.iter().flat_map(|judged| &judged.requirements) {
             text.push_str(&format!("  {requirement}: {}\n", if requirement.met { "met" } else { "broken" }));
         }
@@ -69,7 +69,7 @@ impl Answer for SelectionAnswer {
 }
 
 /// Candidates with their errors, and remarks on those that failed.
-fn table(answer: &SelectionAnswer, width: Option<usize>) -> String {
+fn table(answer: &SelectionAnswer<'_>, width: Option<usize>) -> String {
     let criterion = answer.criterion;
     let unit = criterion.unit();
     let mut table = Table::with_heading(vec![
@@ -85,20 +85,20 @@ fn table(answer: &SelectionAnswer, width: Option<usize>) -> String {
     ])
     .left_column(8);
     for candidate in &answer.candidates {
-        let marker = if Some(&candidate.name) == answer.recommended.as_ref() { "→ " } else { "  " };
+        let marker = if Some(candidate.name) == answer.recommended.as_deref() { "→ " } else { "  " };
         let mut cells = vec![format!("{marker}{}", candidate.name)];
-        match &candidate.judged {
+        match candidate.judged {
             Some(judged) => {
                 let (value, error) = value_and_error(criterion, judged.criterion, judged.standard_error);
                 cells.extend([
-                    judged.parameter_count.to_string(),
+                    judged.fit.parameters.len().to_string(),
                     significant(criterion.in_unit(criterion.of_blocks(&judged.train)), 3),
                     value,
                     error,
                     significant(1e3 * judged.validation.length_error_m.rms, 3),
-                    judged.rank.to_string(),
-                    condition(judged.condition),
-                    judged.caution_words.clone(),
+                    judged.fit.analysis.rank.to_string(),
+                    condition(judged.fit.analysis.condition),
+                    judged.fit.caution_words(),
                 ]);
             }
             None => cells.extend([String::new(), "failed".to_owned()]),
@@ -110,7 +110,7 @@ fn table(answer: &SelectionAnswer, width: Option<usize>) -> String {
         if let Some(failure) = &candidate.failure {
             text.push_str(&format!("{} failed: {failure}\n", candidate.name));
         }
-        let judged = candidate.judged.as_ref();
+        let judged = candidate.judged;
         if let Some(why) = judged.and_then(|judged| judged.disqualified.as_ref()) {
             text.push_str(&format!("{} cannot be judged: {why}\n", candidate.name));
         }
@@ -123,14 +123,13 @@ fn table(answer: &SelectionAnswer, width: Option<usize>) -> String {
 }
 
 /// The candidates by all criteria, for people; `None` if none rates them.
-fn rating_table(answer: &SelectionAnswer, width: Option<usize>) -> Option<String> {
-    let criteria = &answer.rating.criteria;
+fn rating_table(answer: &SelectionAnswer<'_>, width: Option<usize>) -> Option<String> {
+    let criteria = answer.rating.criteria;
     if !has_others(criteria) || answer.candidates.len() < 2 {
         return None;
     }
     let turns = largest(criteria, SelectionCriterion::Rotation, 0).is_some();
-    let regions =
-        answer.candidates.iter().any(|one| one.judged.as_ref().is_some_and(|own| own.leave_region_out.is_some()));
+    let regions = answer.candidates.iter().any(|one| one.judged.is_some_and(|own| own.regions.is_some()));
     let unit = answer.criterion.unit();
     let mut heading = vec!["candidate".to_owned(), "ΔAIC".to_owned(), "ΔBIC".to_owned(), "relative %".to_owned()];
     heading.push("largest mm".to_owned());
@@ -139,14 +138,14 @@ fn rating_table(answer: &SelectionAnswer, width: Option<usize>) -> Option<String
     heading.extend(regions.then(|| format!("± std. error {unit}")));
     let mut table = Table::with_heading(heading);
     for (index, candidate) in answer.candidates.iter().enumerate() {
-        let Some(own) = &candidate.judged else { continue };
-        let marker = if Some(&candidate.name) == answer.recommended.as_ref() { "→ " } else { "  " };
+        let Some(own) = candidate.judged else { continue };
+        let marker = if Some(candidate.name) == answer.recommended.as_deref() { "→ " } else { "  " };
         let relative = own.relative_position_error.map_or_else(|| NONE.to_owned(), |share| significant(1e2 * share, 3));
         let mut cells = vec![format!("{marker}{}", candidate.name)];
         cells.extend([above_least(criteria, "aic", index), above_least(criteria, "bic", index), relative]);
         cells.push(largest(criteria, SelectionCriterion::Position, index).unwrap_or_else(|| NONE.to_owned()));
         cells.extend(largest(criteria, SelectionCriterion::Rotation, index).filter(|_| turns));
-        if let Some(held) = own.leave_region_out {
+        if let Some(held) = own.regions {
             cells.extend(<[String; 2]>::from(value_and_error(answer.criterion, held.criterion, held.standard_error)));
         }
         table.row(cells);

@@ -1,9 +1,9 @@
 //! A robot calibrated without measured poses: JSON and words.
 
-use cdpr_calibration::fit::Estimate;
 use cdpr_calibration::selection::Warnings;
-use cdpr_calibration::{Analysis, Comparison, GaugeFixing, SelfCalibration, SensorFit, Starts, StoppedBy, Verdict};
+use cdpr_calibration::{Comparison, GaugeFixing, SelfCalibration, SensorFit, Verdict};
 use cdpr_model::model::Model;
+use cdpr_model::robot::Robot;
 use serde::Serialize;
 
 use super::Answer;
@@ -12,6 +12,7 @@ use super::PoseAnswer;
 use super::PoselessJudgement;
 use super::identification_words::{doubt_words, identifiability, parameters, verdict_words};
 use super::start_words::start_words;
+use crate::keys::{ComparisonKeys, Maybe, SelfCalibrationKeys};
 use crate::number_format::significant;
 use crate::report::Addition;
 
@@ -27,31 +28,16 @@ pub struct SelfCalibrationAnswer {
     trusted: bool,
     #[serde(skip)]
     verdict: Verdict,
-    reason: String,
-    stopped_by: StoppedBy,
-    iterations: u32,
-    parameter_count: usize,
-    equations: usize,
-    cost_m2: f64,
-    length_rms_m: f64,
-    /// Residuals of each sensor, where there are others than lengths.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
-    sensors: Vec<SensorFit>,
-    gauge: GaugeFixing,
-    #[serde(flatten)]
-    analysis: Analysis,
+    #[serde(flatten, with = "SelfCalibrationKeys")]
+    found: SelfCalibration,
     frame_anchors_m: Vec<Vec<f64>>,
     /// Poses at which the lengths fit best.
     poses: Vec<PoseAnswer>,
-    parameters: Vec<Estimate>,
-    noise_factor: f64,
-    starts: Starts,
-    history: Vec<f64>,
     /// Errors on samples that were not fitted to.
     #[serde(skip_serializing_if = "Option::is_none")]
     validation: Option<PoselessJudgement>,
     /// Anchors beside those of another robot.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(with = "Maybe::<ComparisonKeys>", skip_serializing_if = "Option::is_none")]
     comparison: Option<Comparison>,
     /// Course of the fit, where it is asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -75,8 +61,6 @@ impl SelfCalibrationAnswer {
     ) -> Self {
         let warnings = found.fit.own_warnings(&found.distrust(), of_data);
         let verdict = Verdict::of_fit(&warnings.doubts);
-        let SelfCalibration { fit, samples, cost_m2, length_rms_m, sensors, equations, parameter_count, gauge, .. } =
-            found;
         let axes = model.axes();
         let anchor = |cable: &cdpr_model::robot::Cable| axes.iter().map(|axis| axis.dot(&cable.frame_anchor)).collect();
         Self {
@@ -84,26 +68,13 @@ impl SelfCalibrationAnswer {
             model: model.composition().to_string(),
             free,
             data,
-            samples: samples.len(),
+            samples: found.samples.len(),
             status: verdict.fit_status(),
             trusted: verdict.is_trusted(),
             verdict,
-            reason: fit.reason,
-            stopped_by: fit.stopped_by,
-            iterations: fit.iterations,
-            parameter_count,
-            equations,
-            cost_m2,
-            length_rms_m,
-            sensors,
-            gauge,
-            frame_anchors_m: fit.model.robot().cables.iter().map(anchor).collect(),
-            poses: samples.poses.iter().map(|pose| PoseAnswer::new(model.robot(), pose)).collect(),
-            analysis: fit.analysis,
-            parameters: fit.parameters,
-            noise_factor: fit.noise_factor,
-            starts: fit.starts,
-            history: fit.history,
+            frame_anchors_m: found.fit.model.robot().cables.iter().map(anchor).collect(),
+            poses: found.samples.poses.iter().map(|pose| PoseAnswer::new(model.robot(), pose)).collect(),
+            found,
             validation: None,
             comparison: None,
             course: None,
@@ -130,14 +101,14 @@ impl SelfCalibrationAnswer {
         &self.warnings
     }
 
-    /// How far it may be relied on.
-    pub fn verdict(&self) -> Verdict {
-        self.verdict
+    /// The calibrated robot, whose file says how far it may be relied on.
+    pub fn calibrated(&self) -> Robot {
+        self.found.fit.model.robot().clone().with_calibration(self.status)
     }
 
     /// Outcome of the fit in words.
     pub fn reason(&self) -> &str {
-        &self.reason
+        &self.found.fit.reason
     }
 
     /// Parts of its page.
@@ -147,18 +118,18 @@ impl SelfCalibrationAnswer {
 
     /// Motions that the data leave free, and parameters that fix them.
     fn gauge_words(&self) -> String {
-        let GaugeFixing { kind, motions, held, at_origin, .. } = &self.gauge;
+        let GaugeFixing { kind, motions, held, at_origin, .. } = &self.found.gauge;
         let mut text = String::new();
         if *at_origin {
             text.push_str("lengths count from their values at the world's origin, which is where they were zeroed\n");
         }
         if !motions.is_empty() {
-            let image = if self.gauge.free.contains(&"mirror") { ", and mirror images" } else { "" };
+            let image = if self.found.gauge.free.contains(&"mirror") { ", and mirror images" } else { "" };
             let fixed = match *kind {
                 "anchors" => format!("fixed by {} at the file's values", held.join(", ")),
                 _ => "fixed by anchors that change least from the file's".to_owned(),
             };
-            let what = if self.sensors.is_empty() { "length" } else { "measurement" };
+            let what = if self.found.sensors.is_empty() { "length" } else { "measurement" };
             text.push_str(&format!("no {what} changes by: {}{image}; {fixed}\n", motions.join(", ")));
         }
         text
@@ -175,34 +146,40 @@ impl Answer for SelfCalibrationAnswer {
     }
 
     fn words(&self, width: Option<usize>) -> String {
-        let Self { robot, model, data, samples, parameter_count, equations, iterations, reason, .. } = self;
+        let Self { robot, model, data, samples, found, .. } = self;
+        let SelfCalibration { fit, parameter_count, equations, .. } = found;
         let mut text = format!(
             "{robot}, model {model}: {parameter_count} parameters from {samples} samples of {data}, poses unknown ({equations} equations are left for the parameters)\n"
         );
         let Warnings { doubts, remarks } = &self.warnings;
         text.push_str(&doubt_words(doubts));
-        text.push_str(&format!("{} after {iterations} iterations: {reason}\n", verdict_words(self.verdict)));
-        text.push_str(&format!("ended by {}\n", self.stopped_by));
+        text.push_str(&format!(
+            "{} after {} iterations: {}\n",
+            verdict_words(self.verdict),
+            fit.iterations,
+            fit.reason
+        ));
+        text.push_str(&format!("ended by {}\n", fit.stopped_by));
         text.push_str(&format!(
             "lengths: {} mm rms, sum of squares {} mm²\n",
-            significant(1e3 * self.length_rms_m, 3),
-            significant(1e6 * self.cost_m2, 6)
+            significant(1e3 * found.length_rms_m, 3),
+            significant(1e6 * found.cost_m2, 6)
         ));
-        self.sensors.iter().for_each(|fit| text.push_str(&sensor_words(fit)));
+        found.sensors.iter().for_each(|fit| text.push_str(&sensor_words(fit)));
         text.push_str(&self.gauge_words());
         text.extend(self.validation.iter().map(PoselessJudgement::words));
         text.extend(self.comparison.iter().map(comparison_words));
         text.push_str(&format!(
             "\n{}\n{}",
-            parameters(&self.parameters, width),
-            identifiability(&self.analysis, *parameter_count, self.noise_factor)
+            parameters(&fit.parameters, width),
+            identifiability(&fit.analysis, *parameter_count, fit.noise_factor)
         ));
         text.extend(self.course.iter().map(|course| course.words(width)));
         if !remarks.is_empty() {
             text.push_str("\nwarnings\n");
             remarks.iter().for_each(|warning| text.push_str(&format!("  {warning}\n")));
         }
-        text.push_str(&start_words(&self.starts, width));
+        text.push_str(&start_words(&fit.starts, width));
         for (what, path) in [("calibrated robot", &self.out), ("samples with the poses found", &self.out_poses)] {
             text.extend(path.iter().map(|path| format!("\n{what} written to {path}\n")));
         }

@@ -9,3 +9,8 @@ pub const BEYOND_THE_WHOLE: &str = "more than 100 % of the physical workspace: a
 pub fn is_beyond_the_whole(share: Option<f64>) -> bool {
     share.is_some_and(|share| share > 1.0 + 1e-9)
 }
+
+/// Key of a workspace's size with its unit.
+pub(crate) fn size_key(name: &str, is_planar: bool) -> String {
+    format!("{name}_{}", if is_planar { "area_m2" } else { "volume_m3" })
+}

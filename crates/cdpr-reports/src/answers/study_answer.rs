@@ -1,22 +1,25 @@
 //! Errors over the poses of a study, in short.
 
+use cdpr_model::control::PoseErrorStatistics;
 use cdpr_study::Experiment;
 use cdpr_study::field::{Field, Summary};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::{Answer, control_title, gain_words, title};
+use crate::keys::SummaryKeys;
 use crate::number_format::{cell, significant};
-use crate::study_page::{ErrorRow, error_rows};
 use crate::table::Table;
 
 /// Errors of a study with the files that tell more.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Study")]
 pub struct StudyAnswer {
     status: &'static str,
     reason: Option<String>,
     control: String,
     machine: String,
-    #[serde(flatten)]
+    #[serde(flatten, with = "SummaryKeys")]
     summary: Summary,
     winch_offsets_m: Vec<f64>,
     seed: u64,
@@ -24,7 +27,7 @@ pub struct StudyAnswer {
 }
 
 /// Reason why poses have no answer, by the first of them.
-pub fn unanswered(found: &Field) -> Option<String> {
+fn unanswered(found: &Field) -> Option<String> {
     let failed = found.summary.samples - found.summary.converged;
     let (pose, first) = found.samples.iter().enumerate().find(|(_, sample)| sample.exact.is_none())?;
     let why = first.outcome.reason.as_deref().unwrap_or("no reason is known");
@@ -32,6 +35,11 @@ pub fn unanswered(found: &Field) -> Option<String> {
 }
 
 impl StudyAnswer {
+    /// Reason of an answer that is negative.
+    pub fn reason(&self) -> Option<&str> {
+        self.reason.as_deref()
+    }
+
     /// Errors of an experiment at the poses that this seed gives, with the names of the files written.
     pub fn new(experiment: &Experiment, found: &Field, seed: u64, files: Vec<String>) -> Self {
         let reason = unanswered(found);
@@ -46,6 +54,42 @@ impl StudyAnswer {
             files,
         }
     }
+}
+
+/// Statistics of one kind of error.
+pub(crate) struct ErrorRow {
+    /// Name of the kind.
+    pub(crate) name: &'static str,
+    /// Unit for people.
+    pub(crate) unit: &'static str,
+    /// From the library's unit to this one.
+    pub(crate) factor: f64,
+    /// Statistics in the library's unit.
+    pub(crate) error: PoseErrorStatistics,
+}
+
+/// Subjects of a field's statistics, in the order of all tables; forces where the machine has any, tensions where they are commanded.
+pub(crate) fn error_rows(summary: &Summary) -> Vec<ErrorRow> {
+    let millimetres = |name, error| ErrorRow { name, unit: "mm", factor: 1e3, error };
+    let mut rows = vec![
+        millimetres("position, exact", summary.position_error_m),
+        millimetres("position, one linear step", summary.linear_position_error_m),
+        millimetres("linear step beside exact", summary.linear_residual_m),
+        ErrorRow {
+            name: "rotation, exact",
+            unit: "°",
+            factor: 1.0_f64.to_degrees(),
+            error: summary.rotation_error_rad,
+        },
+    ];
+    let newtons = |name, error| ErrorRow { name, unit: "N", factor: 1.0, error };
+    rows.extend(summary.residual_force.map(|force| newtons("residual force, held at the pose", force)));
+    rows.extend(summary.tension_error.map(|error| {
+        let (mean, rms, max) = (error.mean_abs, error.rms, error.max);
+        let known = PoseErrorStatistics { mean, rms, median: f64::NAN, p95: f64::NAN, max };
+        newtons("tension, emerging less commanded", known)
+    }));
+    rows
 }
 
 impl Answer for StudyAnswer {

@@ -7,6 +7,7 @@ use cdpr_model::tension::{self, Intervals, Limits, Method, Status};
 use serde::Serialize;
 
 use super::{Answer, PoseAnswer};
+use crate::keys::{InfeasibilityKeys, Maybe};
 use crate::number_format::cell;
 use crate::table::Table;
 
@@ -40,12 +41,14 @@ pub struct Found {
     /// Least and largest tension of each cable while all balance the load within limits, where they have a choice.
     #[serde(rename = "tension_intervals_N", skip_serializing_if = "Option::is_none")]
     intervals: Option<Vec<[f64; 2]>>,
+    /// Wrench that the tensions balance.
+    #[serde(rename = "wrench_N_Nm")]
     wrench: Option<Vec<f64>>,
     wrench_residual: Option<Vec<f64>>,
     #[serde(flatten)]
     missing: Option<Missing>,
     /// Proof of infeasibility: Σ weights · tensions is `required_N` in equilibrium and at most `reachable_N` within limits.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(with = "Maybe::<InfeasibilityKeys>", skip_serializing_if = "Option::is_none")]
     certificate: Option<Certificate>,
     iterations: Option<u32>,
 }
@@ -53,7 +56,7 @@ pub struct Found {
 /// Difference of the wrench of the tensions from the one asked for (N, N·m).
 #[derive(Serialize)]
 struct Missing {
-    #[serde(rename = "missing_wrench")]
+    #[serde(rename = "missing_wrench_N_Nm")]
     wrench: Vec<f64>,
     #[serde(rename = "missing_force_N")]
     force: f64,

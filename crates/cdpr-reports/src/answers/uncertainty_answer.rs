@@ -10,6 +10,7 @@ use serde::Serialize;
 
 use crate::NamedFile;
 use crate::figures::{ErrorPanel, ErrorRows, Map, MapPoint, ProfileCurves, profiles};
+use crate::keys::{Each, Maybe, ProfileKeys, ResampledKeys};
 use crate::number_format::{NONE, decimals_for, fixed, significant};
 use crate::report::Addition;
 use crate::study_page::{SAME_HEIGHT, levels};
@@ -19,10 +20,10 @@ use crate::table::Table;
 #[derive(Default, Serialize)]
 pub struct UncertaintyAnswer {
     /// Profiles of chosen parameters.
-    #[serde(skip_serializing_if = "Vec::is_empty")]
+    #[serde(with = "Each::<ProfileKeys>", skip_serializing_if = "Vec::is_empty")]
     pub profiles: Vec<Profile>,
     /// Deviations of a bootstrap of blocks.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(with = "Maybe::<ResampledKeys>", skip_serializing_if = "Option::is_none")]
     pub bootstrap: Option<Resampled>,
     /// Bands of poses that the calibrated model commands.
     #[serde(skip)]

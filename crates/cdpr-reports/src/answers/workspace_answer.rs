@@ -7,9 +7,11 @@ use cdpr_workspace::mesh::Mesh;
 use cdpr_workspace::octree::Octree;
 use cdpr_workspace::refine::{Goal, Refined};
 use cdpr_workspace::{Audit, Bounds, CONFIDENCE, Point, Region, Side, largest_rank};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::Answer;
+use crate::keys::{AuditKeys, Maybe};
 use crate::number_format::significant;
 
 /// Question of a search.
@@ -28,7 +30,8 @@ pub struct Asked<'a> {
 }
 
 /// Area or volume of the poses at which criteria hold, with a bound of its error.
-#[derive(Default, Serialize)]
+#[derive(Default, Serialize, JsonSchema)]
+#[schemars(rename = "Workspace")]
 pub struct WorkspaceAnswer {
     status: &'static str,
     reason: Option<String>,
@@ -53,7 +56,7 @@ pub struct WorkspaceAnswer {
     bound_limited_by: Option<String>,
     points: u64,
     feasible_points: u64,
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(with = "Maybe::<AuditKeys>", skip_serializing_if = "Option::is_none")]
     random_points: Option<Audit>,
     reaches_bounds: bool,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -84,17 +87,19 @@ pub struct WorkspaceAnswer {
 }
 
 /// A structure matrix of less than full rank wherever the criteria hold.
-#[derive(Clone, Copy, Serialize)]
+#[derive(Clone, Copy, Serialize, JsonSchema)]
 struct Singular {
     rank: usize,
     degrees_of_freedom: usize,
 }
 
 /// A size, or null where there is none; left out where the robot has the other kind.
-#[derive(Default, Serialize)]
+#[derive(Default, Serialize, JsonSchema)]
 #[serde(untagged)]
+#[schemars(rename = "Size")]
 enum Unless {
     #[default]
+    #[serde(skip)]
     Other,
     Size(Option<f64>),
 }

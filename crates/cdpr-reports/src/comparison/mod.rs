@@ -57,7 +57,7 @@ pub struct Comparison {
 
 impl Comparison {
     /// The answer with wall times.
-    pub fn answer(&self) -> SelectionAnswer {
+    pub fn answer(&self) -> SelectionAnswer<'_> {
         SelectionAnswer::new(&self.report()).with_timing(self.seconds, &self.inverse_seconds)
     }
 

@@ -3,10 +3,9 @@
 //!
 //! Program and style are made from `viewer/` and committed in `html_page/generated`.
 
-mod cable;
 mod kind;
 mod nodes;
-mod plane;
+mod picture;
 #[cfg(test)]
 pub(crate) mod reading;
 #[cfg(test)]
@@ -14,12 +13,12 @@ mod stamp;
 mod text;
 
 use minijinja::{Environment, Error, UndefinedBehavior, Value, context};
+use serde::Serialize;
 use thiserror::Error as ThisError;
 
-pub(crate) use cable::{CableData, vector};
 pub(crate) use kind::PageKind;
 pub(crate) use nodes::{Nodes, nodes};
-pub(crate) use plane::PlaneData;
+pub(crate) use picture::{PosePicture, RobotPicture, quaternion, vector};
 pub(crate) use text::{breakable, plain, prose};
 
 const FRAME: &str = include_str!("frame.html");
@@ -48,7 +47,7 @@ pub(crate) struct Page<'a> {
     pub(crate) template: &'static str,
     /// The template's values; `title` and `version` are known to it besides.
     pub(crate) values: Value,
-    /// The block that the program draws from, JSON of [`inside_script`]; `None` for a page that comes drawn.
+    /// The block that the program draws from, JSON of [`data_block`]; `None` for a page that comes drawn.
     pub(crate) data: Option<String>,
     /// Version of the program.
     pub(crate) version: &'a str,
@@ -92,8 +91,13 @@ impl Page<'_> {
     }
 }
 
+/// Data block of a page as text that may stand inside a `script` element.
+pub(crate) fn data_block(data: &impl Serialize) -> String {
+    inside_script(&plain(&serde_json::to_string(data).expect("strings and numbers only")))
+}
+
 /// The same JSON without the characters that could end the element or start markup.
-pub(crate) fn inside_script(json: &str) -> String {
+fn inside_script(json: &str) -> String {
     json.replace('<', "\\u003c")
         .replace('>', "\\u003e")
         .replace('&', "\\u0026")

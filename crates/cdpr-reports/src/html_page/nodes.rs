@@ -1,9 +1,10 @@
 //! The nodes of a grid in a page along each of its axes.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Evenly spaced nodes along an axis (m).
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub(crate) struct Nodes {
     #[serde(rename = "start_m")]
     pub(crate) start: f64,

@@ -10,7 +10,7 @@ use serde::Serialize;
 use serde_json::{Map, Value, json};
 
 use super::Differential;
-use crate::answers::{BEYOND_THE_WHOLE, beyond_map, control_title, is_beyond_the_whole, title};
+use crate::answers::{BEYOND_THE_WHOLE, beyond_map, control_title, is_beyond_the_whole, size_key, title};
 
 /// Findings of a method; sizes in m² or m³.
 pub struct Found {
@@ -214,7 +214,7 @@ impl ReachableAnswer {
     /// The answer with its status.
     pub fn new(experiment: &Experiment, region: &Region<'_>, bounds: &Bounds, found: Found) -> Self {
         let is_planar = region.dimension() == 2;
-        let key = |name: &str| format!("{name}_{}", if is_planar { "area_m2" } else { "volume_m3" });
+        let key = |name: &str| size_key(name, is_planar);
         let share = |size: f64| found.physical.filter(|whole| *whole > 0.0).map(|whole| size / whole);
         let named = [
             ("reachable", found.reached),
@@ -268,7 +268,7 @@ impl ReachableAnswer {
             by_accuracy: found.by_accuracy.iter().map(at).collect(),
             outline_m: outline(0),
             emerging_outline_m: outline(1),
-            differential: found.differential.as_ref().map(|found| json!(found)),
+            differential: found.differential.as_ref().map(|found| found.json(key)),
             winch_offsets_m: experiment.offsets.clone(),
             unit: if is_planar { "m²" } else { "m³" },
             found,

@@ -6,10 +6,9 @@ use cdpr_study::reachable::{Reachable, Varied, differential_hull};
 use cdpr_study::sensitivity::ParameterDeviation;
 use cdpr_workspace::hull::{self, Hull};
 use cdpr_workspace::{Bounds, Region};
-use serde::Serialize;
+use serde_json::{Value, json};
 
 /// A change of one number, and the hull with it.
-#[derive(Serialize)]
 pub struct Differential {
     /// Name of the number.
     pub parameter: String,
@@ -26,11 +25,20 @@ pub struct Differential {
     /// The same from a hull found anew; `None` if it has none.
     pub recomputed_size: Option<f64>,
     /// The hull after the change, to first order.
-    #[serde(skip)]
     pub moved: Hull,
     /// The hull found anew.
-    #[serde(skip)]
     pub anew: Option<Hull>,
+}
+
+impl Differential {
+    /// Keys and values; `key` names the sizes with their unit.
+    pub(super) fn json(&self, key: impl Fn(&str) -> String) -> Value {
+        json!({
+            "parameter": self.parameter, "unit": self.unit, "change": self.change, "rates_m_per_unit": self.rates_m_per_unit,
+            format!("{}_per_unit", key("rate")): self.size_rate, key("first_order"): self.first_order_size,
+            key("recomputed"): self.recomputed_size,
+        })
+    }
 }
 
 /// A parameter and how much it changes, in its unit.

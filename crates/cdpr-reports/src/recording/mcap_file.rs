@@ -57,8 +57,8 @@ impl Recording<'_> {
         let events = self.events.iter().map(|event| (event.time, messages::event(event.time, &event.words, 2)));
         let broken = violations.iter().flat_map(|one| {
             let level = if one.is_broken_limit() { 4 } else { 3 };
-            let event = move |stretch: &Stretch| messages::event(stretch.span.0, &stretch.words, level);
-            one.stretches.iter().map(move |stretch| (stretch.span.0, event(stretch)))
+            let event = move |stretch: &Stretch| messages::event(stretch.from_s, &stretch.words, level);
+            one.stretches.iter().map(move |stretch| (stretch.from_s, event(stretch)))
         });
         let mut all: Vec<(f64, Value)> = events.chain(broken).collect();
         all.sort_by(|a, b| a.0.total_cmp(&b.0));

@@ -10,6 +10,8 @@ use cdpr_model::geometry::Pose;
 use cdpr_model::robot::Robot;
 use cdpr_model::tension::Limits;
 use cdpr_plant::{Event, PlantState};
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use crate::number_format::significant;
 #[cfg(feature = "recording")]
@@ -45,9 +47,10 @@ pub struct Moment {
 }
 
 /// Event of a run in words.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Occurrence {
     /// Time since the start (s).
+    #[serde(rename = "time_s")]
     pub time: f64,
     /// Words, as `cable 3 breaks`.
     pub words: String,

@@ -2,6 +2,8 @@
 
 use cdpr_model::robot::Robot;
 use cdpr_plant as plant;
+use schemars::JsonSchema;
+use serde::Serialize;
 
 use crate::number_format::{short, significant};
 
@@ -27,10 +29,12 @@ pub struct Violation {
 }
 
 /// Stretch of time in which a limit is broken.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
 pub struct Stretch {
-    /// Time of the first and of the last step that show it (s).
-    pub span: (f64, f64),
+    /// Time of the first step that shows it.
+    pub from_s: f64,
+    /// Time of the last step that shows it.
+    pub to_s: f64,
     /// Words with its numbers.
     pub words: String,
 }
@@ -41,7 +45,7 @@ impl Violation {
         let mut all: Vec<Self> = Vec::new();
         for one in found {
             let words = words(one, robot);
-            let stretch = Stretch { span: (one.from, one.to), words: words.clone() };
+            let stretch = Stretch { from_s: one.from, to_s: one.to, words: words.clone() };
             match all.iter_mut().find(|other| (other.cable, other.limit) == (one.cable, one.limit)) {
                 Some(known) => {
                     // farther from the limit on its side

@@ -9,7 +9,7 @@ mod criterion;
 mod errors;
 mod figures;
 mod gists;
-mod page_data;
+pub(crate) mod page_data;
 mod parameters;
 mod rating;
 mod table;

@@ -1,104 +1,61 @@
-//! The data that the script of the page draws from: one JSON block. `viewer/src/data.ts` is its reader.
+//! The data that the script of the page draws from: one JSON block, which `viewer/src/data.ts` describes.
 //!
-//! SI units, named in the keys. The block holds `result.json` without wall times and the marks of a JSON answer, and what charts need
-//! besides: the robot as given and calibrated, and the judged samples with the errors of both models. No physics is left to the script.
+//! The block holds the answer, which is `result.json` without wall times and the marks of a JSON answer, and what charts need besides: the robot as given and
+//! calibrated, and the judged samples with the errors of both models. No physics is left to the script.
 
 use cdpr_calibration::Evaluation;
-use cdpr_model::cable::winch::Winch;
 use cdpr_model::geometry::Pose;
-use cdpr_model::robot::Cable;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::{Purpose, Report, Shown};
 use crate::answers::SelectionAnswer;
-use crate::html_page::{PlaneData, digits, inside_script, plain, vector};
+use crate::html_page::{PageKind, RobotPicture, data_block, digits, quaternion, vector};
 
 /// Numbers that a page may hold for its samples (about 8 bytes each): more samples are thinned out.
 const MOST_NUMBERS: usize = 90_000;
 
-/// The whole block.
-#[derive(Serialize)]
-struct PageData<'a> {
-    result: SelectionAnswer,
+/// Data of a report: the answer, and what its pictures need besides.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "ReportData")]
+pub(crate) struct PageData<'a> {
+    /// Kind of the page.
+    #[schemars(extend("const" = "report"))]
+    page: &'static str,
+    /// The answer without wall times.
+    result: SelectionAnswer<'a>,
     /// Index of the candidate that the details are about.
     shown: usize,
     /// Index of the robot as given, where it is another candidate.
     given: Option<usize>,
     criterion: CriterionWords,
-    data_words: &'a str,
+    /// "validation data", or "the data of the fit" where nothing was held out.
+    data_words: &'static str,
+    /// True where candidates were compared.
     selection: bool,
-    robot: RobotData,
+    /// Robot with the parameters of the shown candidate.
+    robot: RobotPicture,
+    /// Robot as given.
+    given_robot: RobotPicture,
     samples: SampleData,
     /// Positions of the fit's samples.
     fit_position_m: Vec<[f64; 3]>,
-    /// `None` without free parameters.
-    correlation: Option<CorrelationData>,
+    /// Coefficients of the shown candidate's parameters: the lower triangle with the diagonal; null without free parameters.
+    #[schemars(with = "Option<Vec<Vec<Option<f64>>>>")]
+    correlation: Option<Vec<Vec<f64>>>,
 }
 
-/// The criterion for people: its unit, and what a value in SI is multiplied by.
-#[derive(Serialize)]
+/// Criterion for people: its unit, and the factor from SI to it.
+#[derive(Serialize, JsonSchema)]
 struct CriterionWords {
     words: String,
     unit: &'static str,
     factor: f64,
 }
 
-#[derive(Serialize)]
-struct RobotData {
-    plane: Option<PlaneData>,
-    turns: bool,
-    cables: Vec<CableData>,
-}
-
-#[derive(Serialize)]
-struct CableData {
-    name: String,
-    frame_anchor_nominal_m: [f64; 3],
-    frame_anchor_m: [f64; 3],
-    platform_anchor_nominal_m: [f64; 3],
-    platform_anchor_m: [f64; 3],
-    pulley: Option<PulleyData>,
-    drum: Option<DrumData>,
-}
-
-/// A drum whose place the file states: the ends of its groove on the axis, and the way of the cable to its first pulley at the start angle.
-#[derive(Serialize)]
-struct DrumData {
-    radius_m: f64,
-    from_m: [f64; 3],
-    to_m: [f64; 3],
-    way_m: Option<[[f64; 3]; 2]>,
-}
-
-/// Length of a groove that the file leaves open, in radii of its drum.
-const OPEN_GROOVE: f64 = 3.0;
-
-impl DrumData {
-    fn of(cable: &Cable) -> Option<Self> {
-        let winch = &cable.winch;
-        let (radius, position, axis) = (winch.radius?, winch.position?, *winch.axis?);
-        let length = winch.groove.and_then(|groove| groove.ends).map_or(OPEN_GROOVE * radius, |ends| ends.length);
-        let drum = Winch::of(cable).and_then(Result::ok);
-        let leaves = drum.and_then(|winch| winch.drum.departure(winch.drum.parameters().start_angle).ok().flatten());
-        let first_pulley = winch.first_pulley.unwrap_or(cable.frame_anchor);
-        Some(Self {
-            radius_m: digits(radius, 6),
-            from_m: vector(&position, 6),
-            to_m: vector(&(position + axis * length), 6),
-            way_m: leaves.map(|leaves| [vector(&leaves.contact, 6), vector(&first_pulley, 6)]),
-        })
-    }
-}
-
-/// A pulley that the file states with radius and axis.
-#[derive(Serialize)]
-struct PulleyData {
-    radius_m: f64,
-    swivel_axis: [f64; 3],
-}
-
-/// The judged samples, in the order of the data; every list has an entry for each.
-#[derive(Serialize)]
+/// Samples that models were judged by, in the order of the data; every list has an entry for each.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "JudgedSamples")]
 struct SampleData {
     /// Samples before thinning out.
     total: usize,
@@ -108,7 +65,7 @@ struct SampleData {
     position_m: Vec<[f64; 3]>,
     quaternion_xyzw: Vec<[f64; 4]>,
     recorded_length_m: Vec<Vec<f64>>,
-    /// Recorded length minus that of the sample before in the data; `None` for the first.
+    /// Recorded length minus that of the sample before in the data; null for the first.
     length_change_m: Vec<Option<Vec<f64>>>,
     /// Outside the ranges of the poses that its fit saw.
     outside: Vec<bool>,
@@ -118,29 +75,27 @@ struct SampleData {
     as_given: Option<ErrorData>,
 }
 
-/// Errors of a model; NaN becomes null.
-#[derive(Serialize)]
+/// Errors of a model, sample by sample.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "SampleErrors")]
 struct ErrorData {
     /// Predicted minus measured position (world).
     position_error_m: Vec<Option<[f64; 3]>>,
+    #[schemars(with = "Vec<Option<f64>>")]
     rotation_error_rad: Vec<f64>,
     /// Modelled minus recorded, per cable.
+    #[schemars(with = "Vec<Vec<Option<f64>>>")]
     length_error_m: Vec<Vec<f64>>,
-    /// Predicted minus recorded, per cable; `None` for a model that knows none, or data without.
+    /// Predicted minus recorded, per cable; null for a model that knows none, or data without.
     #[serde(rename = "tension_error_N")]
+    #[schemars(with = "Option<Vec<Vec<Option<f64>>>>")]
     tension_error: Option<Vec<Vec<f64>>>,
 }
 
-/// The lower triangle, with the diagonal.
-#[derive(Serialize)]
-struct CorrelationData {
-    names: Vec<String>,
-    lower: Vec<Vec<f64>>,
-}
-
-/// The block as text that may stand inside a `script` element; `null` without a candidate to show.
+/// The block; `null` without a candidate to show.
 pub(super) fn json(report: &Report<'_>, shown: Option<&Shown<'_>>) -> String {
     let data = shown.map(|shown| PageData {
+        page: PageKind::Report.name(),
         result: SelectionAnswer::new(report),
         shown: shown.index,
         given: shown.before().map(|given| given.index),
@@ -151,36 +106,13 @@ pub(super) fn json(report: &Report<'_>, shown: Option<&Shown<'_>>) -> String {
         },
         data_words: report.data_words(),
         selection: report.purpose == Purpose::Selection,
-        robot: robot(report, shown),
+        robot: RobotPicture::of(shown.judgement.fit.model.robot(), &[]),
+        given_robot: RobotPicture::of(report.robot, &[]),
         samples: samples(report, shown),
         fit_position_m: fit_positions(report),
-        correlation: correlation(report, shown),
+        correlation: correlation(shown),
     });
-    let text = serde_json::to_string(&data).expect("strings and numbers only");
-    inside_script(&text)
-}
-
-fn robot(report: &Report<'_>, shown: &Shown<'_>) -> RobotData {
-    let nominal = report.robot;
-    let calibrated = &shown.judgement.fit.model.robot().cables;
-    let cables = nominal.cables.iter().zip(calibrated).enumerate().map(|(index, (before, after))| CableData {
-        name: cable_name(index + 1, &before.name),
-        frame_anchor_nominal_m: vector(&before.frame_anchor, 6),
-        frame_anchor_m: vector(&after.frame_anchor, 6),
-        platform_anchor_nominal_m: vector(&before.platform_anchor, 6),
-        platform_anchor_m: vector(&after.platform_anchor, 6),
-        pulley: after
-            .pulley_radius()
-            .zip(after.pulley_swivel_axis())
-            .map(|(radius, axis)| PulleyData { radius_m: digits(radius, 6), swivel_axis: vector(&axis, 6) }),
-        drum: DrumData::of(after),
-    });
-    RobotData { plane: PlaneData::of(nominal), turns: nominal.motion_pattern.has_rotation(), cables: cables.collect() }
-}
-
-fn cable_name(number: usize, name: &str) -> String {
-    let number = number.to_string();
-    if name == number { format!("cable {number}") } else { plain(&format!("cable {number}: {name}")) }
+    data_block(&data)
 }
 
 /// A judged sample: its row among the errors, and its index in the data.
@@ -222,17 +154,13 @@ fn samples(report: &Report<'_>, shown: &Shown<'_>) -> SampleData {
         let now = data.lengths_of(row.sample);
         Some(now.iter().zip(before).map(|(now, before)| digits(now - before, 4)).collect())
     };
-    let quaternion = |row: &Row| -> [f64; 4] {
-        let [x, y, z, w]: [f64; 4] = pose(row).rotation.coords.into();
-        [x, y, z, w].map(|value| digits(value, 6))
-    };
     let lengths = |row: &Row| data.lengths_of(row.sample).iter().map(|length| digits(*length, 6)).collect();
     SampleData {
         total: shown.judgement.validation_samples.len(),
         number: rows.iter().map(|row| row.sample + 1).collect(),
         time_s: data.time.as_ref().map(|time| rows.iter().map(|row| time[row.sample]).collect()),
         position_m: rows.iter().map(|row| vector(&pose(row).position, 6)).collect(),
-        quaternion_xyzw: rows.iter().map(quaternion).collect(),
+        quaternion_xyzw: rows.iter().map(|row| quaternion(pose(row), 6)).collect(),
         recorded_length_m: rows.iter().map(lengths).collect(),
         length_change_m: rows.iter().map(change).collect(),
         outside: rows.iter().map(|row| is_outside.get(row.row).copied().unwrap_or(false)).collect(),
@@ -276,10 +204,8 @@ fn fit_positions(report: &Report<'_>) -> Vec<[f64; 3]> {
     all.iter().copied().step_by(step).chain(corners).map(|sample| vector(&position(sample), 6)).collect()
 }
 
-fn correlation(report: &Report<'_>, shown: &Shown<'_>) -> Option<CorrelationData> {
-    let fit = &shown.judgement.fit;
-    let names: Vec<String> = fit.parameters.iter().map(|estimate| estimate.parameter.name(report.robot)).collect();
-    let lower = fit.analysis.correlation_rows.iter().map(|row| row.iter().map(|value| digits(*value, 3)).collect());
-    let lower: Vec<Vec<f64>> = lower.collect();
-    (!names.is_empty() && lower.len() == names.len()).then_some(CorrelationData { names, lower })
+fn correlation(shown: &Shown<'_>) -> Option<Vec<Vec<f64>>> {
+    let rows = &shown.judgement.fit.analysis.correlation_rows;
+    let is_there = !rows.is_empty() && rows.len() == shown.judgement.fit.parameters.len();
+    is_there.then(|| rows.iter().map(|row| row.iter().map(|value| digits(*value, 3)).collect()).collect())
 }

@@ -296,7 +296,7 @@ fn hostile_names_stay_text() {
     assert_eq!(scripts, 1, "the data block is the only one besides the program");
     assert!(document.descendants().all(|node| !node.has_attribute("onload")));
     let cables = &data(&page(&robot, &samples, &selection))["robot"]["cables"];
-    assert_eq!(cables[2]["name"], "cable 3: </svg><script>");
+    assert_eq!(cables[2]["name"], "</svg><script>");
     assert!(has_text(&document, "<script>alert('1')</script>\"&\u{fffd}{{ 7*7 }}"));
 }
 
@@ -360,8 +360,8 @@ fn the_data_of_the_page_are_those_of_the_selection() {
     assert!((residual - expected).abs() <= 6e-4 * expected.abs(), "rounded to four digits: {residual} {expected}");
     assert!(told["length_change_m"][0].is_null() && told["length_change_m"][1][0].is_number());
     assert!(told["calibrated"]["tension_error_N"].is_null(), "a rigid model knows no tensions");
-    assert_eq!(data["robot"]["plane"]["names"], serde_json::json!(["x", "z"]));
-    assert_eq!(data["correlation"]["lower"][3], serde_json::json!([0.0, 0.0, 0.0, 1.0]), "one offset for each cable");
+    assert_eq!(data["robot"]["axes"], serde_json::json!(["x", "z"]));
+    assert_eq!(data["correlation"][3], serde_json::json!([0.0, 0.0, 0.0, 1.0]), "one offset for each cable");
 }
 
 /// Long trajectories are thinned out: the file stays small enough to send. Sixty times the same samples stand for one.

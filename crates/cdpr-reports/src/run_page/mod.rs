@@ -1,13 +1,13 @@
 //! The page of a run: playback of the machine with its tensions, and pose and tensions over time as drawings.
 
-mod page_data;
+pub(crate) mod page_data;
 #[cfg(test)]
 mod tests;
 
 use cdpr_model::geometry::Pose;
 use minijinja::{Value, context};
 
-use crate::answers::{axis_names, components};
+use crate::answers::{RunAnswer, axis_names, components};
 use crate::figures::{Figure, TimePanel, Timeline};
 use crate::html_page::{Page, PageError, PageKind, plain, prose};
 use crate::number_format::significant;
@@ -24,18 +24,12 @@ pub struct RunPage<'a> {
     pub recording: &'a Recording<'a>,
     /// Its broken limits; slack cables that break none are not shown, but by warnings.
     pub violations: &'a [Violation],
-    /// Least and largest tension after any step (N).
-    pub tensions: (f64, f64),
+    /// Answer that the page shows; text between backticks in its warnings is shown as code.
+    pub answer: &'a RunAnswer,
     /// Name of the scenario.
     pub name: &'a str,
-    /// How the run ended, in a word, as `completed`.
-    pub status: &'a str,
-    /// Why it ended where it did not reach the end of its time.
-    pub reason: Option<&'a str>,
     /// Facts on machine, winches and time: terms with their text.
     pub facts: &'a [(&'static str, String)],
-    /// Warnings; text between backticks is shown as code.
-    pub warnings: &'a [String],
     /// The command that makes the same page again.
     pub command: &'a str,
     /// Version of the program.
@@ -45,12 +39,12 @@ pub struct RunPage<'a> {
 impl RunPage<'_> {
     /// HTML of the page.
     pub fn render(&self) -> Result<String, PageError> {
-        let Self { recording, violations, .. } = *self;
+        let Self { recording, violations, answer, .. } = *self;
         let broken: Vec<&Violation> = self.broken().collect();
         let title = format!("Run of {}", self.name);
         let figure = |figure: Option<Figure>| figure.map(|figure| Value::from_safe_string(figure.inline()));
-        let verdict = match (self.status, !broken.is_empty()) {
-            ("completed", false) if self.warnings.is_empty() => "good",
+        let verdict = match (answer.status(), !broken.is_empty()) {
+            ("completed", false) if answer.warnings().is_empty() => "good",
             ("completed", false) => "warned",
             _ => "bad",
         };
@@ -66,10 +60,10 @@ impl RunPage<'_> {
                 first => seconds(one.first), duration => seconds(one.duration), words => plain(&one.words),
             }).collect::<Value>(),
             more_violations => broken.len().saturating_sub(MOST_ROWS),
-            warnings => self.warnings.iter().map(|warning| prose(warning)).collect::<Vec<_>>(),
+            warnings => answer.warnings().iter().map(|warning| prose(warning)).collect::<Vec<_>>(),
             command => plain(self.command),
         };
-        let data = Some(page_data::json(recording, violations));
+        let data = Some(page_data::json(answer, recording, violations));
         Page {
             kind: PageKind::Run,
             title: &title,
@@ -89,23 +83,23 @@ impl RunPage<'_> {
     fn headline(&self) -> String {
         let end = self.recording.moments.last().map_or(0.0, |moment| moment.time);
         let limits = if self.broken().next().is_some() { ", limits are broken" } else { "" };
-        format!("{} after {} s{limits}", capital(self.status), significant(end, 4))
+        format!("{} after {} s{limits}", capital(self.answer.status()), significant(end, 4))
     }
 
     /// Sentence below the headline: reason first, then limits and tensions.
     fn outcome(&self) -> String {
-        let (least, largest) = self.tensions;
+        let (least, largest) = self.answer.tensions();
         let tensions = match least.is_finite() {
             true => format!(" Tensions from {} to {} N.", significant(least, 4), significant(largest, 4)),
             false => String::new(),
         };
         let limits = match (sentence(self.broken(), OTHERS), self.recording.limits.is_empty()) {
-            (Some(_), _) if self.status == "completed" => String::new(),
+            (Some(_), _) if self.answer.status() == "completed" => String::new(),
             (Some(broken), _) => format!(" Limits are broken: {broken}."),
             (None, true) => " The limits of the tensions are not known.".to_owned(),
             (None, false) => " All tensions stay within their limits at every step.".to_owned(),
         };
-        let reason = self.reason.map(|reason| format!("{}.", capital(reason))).unwrap_or_default();
+        let reason = self.answer.reason().map(|reason| format!("{}.", capital(reason))).unwrap_or_default();
         format!("{reason}{limits}{tensions}").trim_start().to_owned()
     }
 
@@ -172,7 +166,7 @@ impl Recording<'_> {
     fn timeline(&self, label: &str, panels: Vec<TimePanel>, violations: &[Violation]) -> Option<Figure> {
         let times: Vec<f64> = self.moments.iter().map(|moment| moment.time).collect();
         let events: Vec<f64> = self.events.iter().map(|event| event.time).collect();
-        let marked = stretches_of_limits(violations).map(|stretch| stretch.span);
+        let marked = stretches_of_limits(violations).map(|stretch| (stretch.from_s, stretch.to_s));
         let marked = joined(marked.collect());
         Timeline { label, times: &times, panels, events: &events, marked: &marked }.svg()
     }

@@ -4,6 +4,7 @@ use cdpr_model::robot::Robot;
 use cdpr_plant as plant;
 
 use super::RunPage;
+use crate::answers::RunAnswer;
 use crate::recording::{Moment, Occurrence, Recording, Violation};
 
 fn recording(robot: &Robot, count: u32) -> Recording<'_> {
@@ -23,17 +24,16 @@ fn slack(robot: &Robot, (limit, bound): (Option<&'static str>, f64)) -> Vec<Viol
     Violation::all(&[found], robot)
 }
 
-fn page(recording: &Recording<'_>, violations: &[Violation], status: &str) -> String {
+fn page(recording: &Recording<'_>, violations: &[Violation], status: &'static str) -> String {
+    let answer =
+        RunAnswer { status, tension_max: 20_000.0, warnings: vec!["a `warning`".to_owned()], ..RunAnswer::default() };
     let facts = [("Machine", "elastic".to_owned())];
     let page = RunPage {
         recording,
         violations,
-        tensions: (0.0, 20_000.0),
+        answer: &answer,
         name: "scenario",
-        status,
-        reason: None,
         facts: &facts,
-        warnings: &["a `warning`".to_owned()],
         command: "cdpr run scenario.toml --out run",
         version: "0",
     };
@@ -74,5 +74,5 @@ fn a_slack_cable_alone_breaks_nothing() {
     let robot = Robot::builtin("cablerobot-simulator-helicopter").unwrap();
     let text = page(&recording(&robot, 200), &slack(&robot, (None, 0.0)), "completed");
     assert!(text.contains("class=\"verdict warned\"") && text.contains("stay within their limits"));
-    assert!(text.contains("\"violations\":[]"));
+    assert!(text.contains("\"broken_limits\":[]"));
 }

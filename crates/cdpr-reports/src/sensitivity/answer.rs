@@ -7,6 +7,7 @@ use cdpr_study::tolerance::{Allowance, DeviationSettings, Deviations, MonteCarlo
 use serde::Serialize;
 
 use crate::answers::title;
+use crate::keys::{AllowanceKeys, Each, KindInfluenceKeys, Maybe, MonteCarloKeys, kind};
 
 /// Numbers of a study's models and winches with what they move; keys and units as in JSON.
 #[derive(Serialize)]
@@ -34,6 +35,7 @@ pub struct SensitivityAnswer {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub difference_error: Option<f64>,
     /// Kinds of parameters.
+    #[serde(with = "Each::<KindInfluenceKeys>")]
     pub kinds: Vec<KindInfluence>,
     /// Parameters, the most influential first.
     pub parameters: Vec<ParameterAnswer>,
@@ -72,6 +74,7 @@ pub struct ParameterAnswer {
     /// Control model, machine or winches.
     pub side: Side,
     /// Kind of parameter.
+    #[serde(serialize_with = "kind")]
     pub kind: Kind,
     /// Unit of the parameter.
     pub unit: &'static str,
@@ -99,6 +102,7 @@ pub struct ToleranceAnswer {
     /// Spread to first order.
     pub linear: Linear,
     /// Spread of drawn robots.
+    #[serde(with = "Maybe::<MonteCarloKeys>")]
     pub drawn: Option<MonteCarlo>,
 }
 
@@ -129,6 +133,7 @@ pub struct AllowedAnswer {
     /// The pose with the least room, from 1.
     pub worst_pose: usize,
     /// Kinds of parameters.
+    #[serde(with = "Each::<AllowanceKeys>")]
     pub kinds: Vec<Allowance>,
 }
 

@@ -7,6 +7,7 @@ use cdpr_study::field::Field;
 use cdpr_workspace::WorkspaceError;
 use thiserror::Error;
 
+use crate::answers::StudyAnswer;
 use crate::html_page::PageError;
 
 /// Reasons why a study has no page.
@@ -32,6 +33,8 @@ pub struct StudyPage<'a> {
     pub experiment: &'a Experiment,
     /// Name of the study.
     pub name: &'a str,
+    /// Answer that the page shows.
+    pub answer: &'a StudyAnswer,
     /// The errors of its poses.
     pub found: &'a Field,
     /// Warnings; text between backticks is shown as code.

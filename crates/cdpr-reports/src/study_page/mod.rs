@@ -4,7 +4,7 @@
 
 mod contents;
 mod field_tables;
-mod page_data;
+pub(crate) mod page_data;
 mod region;
 mod tables;
 #[cfg(test)]
@@ -21,7 +21,6 @@ pub use contents::{StudyPage, StudyPageError};
 pub(crate) use field_tables::{SAME_HEIGHT, levels};
 pub use field_tables::{error_maps, errors_table, tracking_figure};
 use region::Region;
-pub use tables::{ErrorRow, error_rows};
 
 const TEMPLATE: &str = include_str!("study.html");
 

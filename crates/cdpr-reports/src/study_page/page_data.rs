@@ -1,50 +1,42 @@
-//! The data that the program of the page draws from: one JSON block. `viewer/src/study/data.ts` is its reader.
+//! The data that the program of the page draws from: one JSON block, which `viewer/src/data.ts` describes.
 //!
-//! SI units, named in the keys; positions and vectors along the axes of the robot's files. No physics is left to the program.
+//! Positions and vectors along the axes of the robot's files. No physics is left to the program.
 
 use cdpr_model::geometry::{MotionPattern, Twist};
 use cdpr_model::robot::Robot;
-use cdpr_study::field::{Sample, Summary};
+use cdpr_study::field::Sample;
 use nalgebra::Vector3;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::StudyPage;
 use super::region::Region;
-use crate::answers::{axis_names, components};
-use crate::html_page::{Nodes, digits, inside_script, plain};
+use crate::answers::{StudyAnswer, components};
+use crate::html_page::{Nodes, PageKind, RobotPicture, data_block, digits};
 
 /// Numbers that a page may hold for its poses (about 9 bytes each).
 const MOST_NUMBERS: usize = 25_000;
 
-/// The whole block.
-#[derive(Serialize)]
-struct PageData {
-    /// Kind of page.
+/// Data of a study: the answer, and what its pictures need besides.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "StudyData")]
+pub(crate) struct PageData<'a> {
+    /// Kind of the page.
+    #[schemars(extend("const" = "study"))]
     page: &'static str,
-    name: String,
-    robot: RobotData,
-    summary: Summary,
+    /// Name of the study.
+    name: &'a str,
+    result: &'a StudyAnswer,
+    /// Robot of the machine.
+    robot: RobotPicture,
     samples: SampleData,
+    /// The whole workspace first; slices of a spatial robot.
     regions: Vec<RegionData>,
 }
 
-#[derive(Serialize)]
-struct RobotData {
-    name: String,
-    /// Names of the axes, two in a plane and three in space.
-    axes: Vec<String>,
-    planar: bool,
-    cables: Vec<CableData>,
-}
-
-#[derive(Serialize)]
-struct CableData {
-    name: String,
-    frame_anchor_m: Vec<f64>,
-}
-
-/// Pose by pose.
-#[derive(Serialize)]
+/// Commanded poses, each with its answer.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "CommandedSamples")]
 struct SampleData {
     /// Poses of the study; more than are listed where the list was thinned out.
     total: usize,
@@ -53,20 +45,22 @@ struct SampleData {
     /// Components of the pose: position (m), then angles (rad).
     commanded: Vec<Vec<f64>>,
     emerging: Vec<Option<Vec<f64>>>,
-    /// Why there is no answer.
+    /// Reason for which there is no answer.
     reason: Vec<Option<String>>,
     #[serde(flatten)]
     points: PointData,
 }
 
-/// Findings at every pose of a list; null where there is none.
-#[derive(Serialize)]
+/// Findings at every pose of a list, along the axes of the robot; null where there is none.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Points")]
 struct PointData {
     error_m: Vec<Option<Vec<f64>>>,
     /// Empty for a point; the angle of a planar platform; a rotation vector in space.
     error_rad: Vec<Option<Vec<f64>>>,
     linear_m: Vec<Option<Vec<f64>>>,
     linear_rad: Vec<Option<Vec<f64>>>,
+    /// Per cable.
     #[serde(rename = "tensions_N")]
     tensions: Vec<Option<Vec<f64>>>,
     /// Largest difference of a tension from the commanded one; empty where none are commanded.
@@ -77,45 +71,36 @@ struct PointData {
     residual: Vec<Option<f64>>,
 }
 
-/// A regular grid, the first axis running fastest.
-#[derive(Serialize)]
+/// Regular grid in the plane of a planar robot or on a slice through space, the first axis running fastest.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "StudyRegion")]
 struct RegionData {
     name: String,
     /// Axes of the robot that the two of the grid run along, from 0.
     plane: [usize; 2],
     /// Coordinate of a slice through space (m); null in the plane of a planar robot.
     level_m: Option<f64>,
-    axes: Vec<Nodes>,
+    axes: [Nodes; 2],
     #[serde(flatten)]
     points: PointData,
     /// Margins: where they are zero a workspace ends. Null for −∞.
     physical: Option<Vec<Option<f64>>>,
     reachable: Option<Vec<Option<f64>>>,
+    /// The same as one linear step predicts.
     linear: Option<Vec<Option<f64>>>,
 }
 
-/// The block as text that may stand inside a `script` element.
+/// The block.
 pub(super) fn json(page: &StudyPage<'_>, regions: &[Region]) -> String {
     let robot = page.experiment.machine.robot();
-    let cable = |cable: &cdpr_model::robot::Cable| CableData {
-        name: plain(&cable.name),
-        frame_anchor_m: short(components(robot, &cable.frame_anchor), 7),
-    };
-    let data = PageData {
-        page: "study",
-        name: plain(page.name),
-        robot: RobotData {
-            name: plain(&robot.name),
-            axes: axis_names(robot),
-            planar: robot.motion_pattern.is_planar(),
-            cables: robot.cables.iter().map(cable).collect(),
-        },
-        summary: page.found.summary.clone(),
+    data_block(&PageData {
+        page: PageKind::Study.name(),
+        name: page.name,
+        result: page.answer,
+        robot: RobotPicture::of(robot, &[]),
         samples: samples(page),
         regions: regions.iter().map(|region| region_data(robot, region)).collect(),
-    };
-    let text = serde_json::to_string(&data).expect("strings and numbers only");
-    inside_script(&text)
+    })
 }
 
 /// True when the page holds a part of the poses only.
@@ -145,7 +130,7 @@ fn samples(page: &StudyPage<'_>) -> SampleData {
         number: kept.iter().map(|index| index + 1).collect(),
         commanded: kept.iter().map(|&index| pose(&all[index].commanded)).collect(),
         emerging: kept.iter().map(|&index| all[index].exact.map(|_| pose(&all[index].outcome.pose))).collect(),
-        reason: kept.iter().map(|&index| all[index].outcome.reason.as_deref().map(plain)).collect(),
+        reason: kept.iter().map(|&index| all[index].outcome.reason.clone()).collect(),
         points: points(robot, &kept.iter().map(|&index| &all[index]).collect::<Vec<_>>(), 6),
     }
 }
@@ -158,7 +143,7 @@ fn region_data(robot: &Robot, region: &Region) -> RegionData {
         name: region.name.clone(),
         plane: region.slice.map_or([0, 1], |slice| slice.along()),
         level_m: region.slice.map(|slice| slice.level),
-        axes: region.axes.clone(),
+        axes: region.axes,
         points: points(robot, &region.samples.iter().collect::<Vec<_>>(), 4),
         physical: region.physical.as_ref().map(margins),
         reachable: region.reachable.as_ref().map(margins),

@@ -30,7 +30,7 @@ pub(super) struct Region {
     /// The plane that it lies in, of a spatial robot.
     pub(super) slice: Option<Slice>,
     /// Nodes along the two axes.
-    pub(super) axes: Vec<Nodes>,
+    pub(super) axes: [Nodes; 2],
     /// Outcome of control model and machine at every node, the first axis running fastest.
     pub(super) samples: Vec<Sample>,
     /// Margin of the machine's wrench feasibility at every node; `None` where its limits are unknown.
@@ -208,7 +208,15 @@ impl Plane<'_> {
         let reachable = reachable.map(|reachable| {
             samples.iter().map(|sample| reachable.verdict(&sample.commanded, &sample.outcome).margin).collect()
         });
-        Ok(Region { name, slice: self.slice, axes, samples, physical: self.physical(&places)?, reachable, linear })
+        Ok(Region {
+            name,
+            slice: self.slice,
+            axes: [axes[0], axes[1]],
+            samples,
+            physical: self.physical(&places)?,
+            reachable,
+            linear,
+        })
     }
 
     fn physical(&self, places: &[[f64; 2]]) -> Result<Option<Vec<f64>>, StudyPageError> {

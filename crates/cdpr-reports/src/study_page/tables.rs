@@ -5,7 +5,7 @@ use cdpr_study::field::{Sample, Summary};
 use minijinja::{Value, context};
 
 use super::StudyPage;
-use crate::answers::axis_names;
+use crate::answers::{axis_names, error_rows};
 use crate::number_format::{fixed, significant};
 
 /// Poses that the table lists; `errors.csv` holds all.
@@ -20,42 +20,6 @@ pub(super) fn errors(summary: &Summary, turns: bool) -> Value {
         context! { name => row.name, unit => row.unit, cells => cells.to_vec() }
     })
     .collect()
-}
-
-/// Statistics of one kind of error.
-pub struct ErrorRow {
-    /// Name of the kind.
-    pub name: &'static str,
-    /// Unit for people.
-    pub unit: &'static str,
-    /// From the library's unit to this one.
-    pub factor: f64,
-    /// Statistics in the library's unit.
-    pub error: PoseErrorStatistics,
-}
-
-/// Subjects of a field's statistics, in the order of all tables; forces where the machine has any, tensions where they are commanded.
-pub fn error_rows(summary: &Summary) -> Vec<ErrorRow> {
-    let millimetres = |name, error| ErrorRow { name, unit: "mm", factor: 1e3, error };
-    let mut rows = vec![
-        millimetres("position, exact", summary.position_error_m),
-        millimetres("position, one linear step", summary.linear_position_error_m),
-        millimetres("linear step beside exact", summary.linear_residual_m),
-        ErrorRow {
-            name: "rotation, exact",
-            unit: "°",
-            factor: 1.0_f64.to_degrees(),
-            error: summary.rotation_error_rad,
-        },
-    ];
-    let newtons = |name, error| ErrorRow { name, unit: "N", factor: 1.0, error };
-    rows.extend(summary.residual_force.map(|force| newtons("residual force, held at the pose", force)));
-    rows.extend(summary.tension_error.map(|error| {
-        let (mean, rms, max) = (error.mean_abs, error.rms, error.max);
-        let known = PoseErrorStatistics { mean, rms, median: f64::NAN, p95: f64::NAN, max };
-        newtons("tension, emerging less commanded", known)
-    }));
-    rows
 }
 
 /// The first poses: titles of the columns, and rows of cells.

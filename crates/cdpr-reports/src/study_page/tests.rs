@@ -11,6 +11,7 @@ use cdpr_workspace::Criterion;
 use serde_json::Value as Json;
 
 use super::*;
+use crate::answers::StudyAnswer;
 use crate::html_page::reading::{assert_stands_alone, data, markup};
 
 /// A study of this repository.
@@ -34,8 +35,17 @@ fn found(experiment: &Experiment) -> Field {
 fn page(experiment: &Experiment, found: &Field) -> String {
     let warnings = ["a `key` without effect".to_owned()];
     let command = "cdpr study study.toml --out result";
-    let page =
-        StudyPage { experiment, name: "a <study>", found, warnings: &warnings, command, seed: 3, version: "0.1.0" };
+    let answer = StudyAnswer::new(experiment, found, 3, Vec::new());
+    let page = StudyPage {
+        experiment,
+        answer: &answer,
+        name: "a <study>",
+        found,
+        warnings: &warnings,
+        command,
+        seed: 3,
+        version: "0.1.0",
+    };
     render(&page).unwrap()
 }
 
@@ -82,7 +92,7 @@ fn the_poses_of_the_page_hold_what_the_library_computes() {
                 assert!(agree(&of("error_rad"), &sample.exact.unwrap().as_slice()[3..], 6));
             }
         }
-        let mean = data["summary"]["position_error_m"]["mean"].as_f64().unwrap();
+        let mean = data["result"]["position_error_m"]["mean"].as_f64().unwrap();
         assert!((mean - found.summary.position_error_m.mean).abs() < 1e-15);
     }
 }

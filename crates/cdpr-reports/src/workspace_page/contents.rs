@@ -7,12 +7,15 @@ use cdpr_model::tension::Limits;
 use cdpr_workspace::Verdict;
 use cdpr_workspace::mesh::Mesh;
 
+use crate::answers::WorkspaceAnswer;
 use crate::number_format::significant;
 
 /// Contents of a page.
 pub struct WorkspacePage<'a> {
     /// Robot and effects.
     pub model: &'a Model,
+    /// Answer that the page shows.
+    pub answer: &'a WorkspaceAnswer,
     /// Name of what has to hold at a pose.
     pub criterion: &'a str,
     /// Unit of its margin; `1` for none.

@@ -75,6 +75,7 @@ impl FoundWorkspace<'_> {
         warnings.extend(answer.reason().map(str::to_owned));
         render(&WorkspacePage {
             model: asked.model,
+            answer,
             criterion: region.criterion().name(),
             unit: region.criterion().unit(),
             judge: &|pose| region.judge(&region.point(&pose.position)),

@@ -5,10 +5,12 @@ use cdpr_model::geometry::Pose;
 use cdpr_workspace::Verdict;
 use nalgebra::Vector3;
 use rayon::prelude::*;
+use schemars::JsonSchema;
+use serde::{Serialize, Serializer};
 
 use super::WorkspacePage;
 use crate::answers::axis_names;
-use crate::html_page::{Nodes, nodes};
+use crate::html_page::{Nodes, digits, nodes};
 use crate::number_format::significant;
 
 /// Numbers that a page may hold for its grid (about 6 bytes each).
@@ -17,12 +19,20 @@ const MOST_NUMBERS: usize = 90_000;
 const MOST_NODES: usize = 8_000;
 
 /// A direction of the grid and its nodes along it.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, JsonSchema)]
+#[schemars(rename = "GridAxis")]
 pub(super) struct Axis {
     pub(super) name: String,
     /// World, of length one.
+    #[serde(serialize_with = "components")]
+    #[schemars(with = "[f64; 3]")]
     pub(super) direction: Vector3<f64>,
+    #[serde(flatten)]
     pub(super) nodes: Nodes,
+}
+
+fn components<S: Serializer>(direction: &Vector3<f64>, serializer: S) -> Result<S::Ok, S::Error> {
+    <[f64; 3]>::from(*direction).serialize(serializer)
 }
 
 /// Finding at a node.
@@ -34,12 +44,13 @@ pub(super) struct Node {
 }
 
 /// How far interpolated tensions are from computed ones in the middle of the cells.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, JsonSchema)]
 pub(super) struct InterpolationError {
     pub(super) cells: usize,
-    /// Mean over cells of the largest difference of a cable (N).
+    /// Mean over cells of the largest difference of a cable.
+    #[serde(rename = "mean_N")]
     pub(super) mean: f64,
-    /// N.
+    #[serde(rename = "largest_N")]
     pub(super) largest: f64,
 }
 
@@ -113,8 +124,8 @@ impl Grid {
         };
         let found: Vec<f64> = (0..self.nodes.len()).into_par_iter().filter_map(difference).collect();
         let cells = found.len();
-        let mean = found.iter().sum::<f64>() / cells as f64;
-        (cells > 0).then(|| InterpolationError { cells, mean, largest: found.iter().copied().fold(0.0, f64::max) })
+        let (mean, largest) = (found.iter().sum::<f64>() / cells as f64, found.iter().copied().fold(0.0, f64::max));
+        (cells > 0).then(|| InterpolationError { cells, mean: digits(mean, 3), largest: digits(largest, 3) })
     }
 
     /// Description of the grid for readers.

@@ -7,7 +7,7 @@ mod contents;
 mod found;
 mod grid;
 mod overlay;
-mod page_data;
+pub(crate) mod page_data;
 mod sentences;
 #[cfg(test)]
 mod tests;

@@ -1,93 +1,74 @@
-//! The data that the program of the page draws from: one JSON block. `viewer/src/workspace/data.ts` is its reader.
+//! The data that the program of the page draws from: one JSON block, which `viewer/src/data.ts` describes.
 //!
-//! SI units, named in the keys. No physics is left to the program.
+//! No physics is left to the program.
 
+use cdpr_model::tension::Limits;
 use cdpr_workspace::mesh::{Field, Mesh};
+use schemars::JsonSchema;
 use serde::{Deserialize, Serialize};
 
-use super::grid::Grid;
+use super::grid::{Axis, Grid, InterpolationError};
 use super::sentences::Sentences;
 use super::{Finding, Shape, WorkspacePage};
-use crate::html_page::{CableData, Nodes, digits, inside_script, plain, vector};
+use crate::answers::WorkspaceAnswer;
+use crate::html_page::{PageKind, PosePicture, RobotPicture, data_block, digits, plain, vector};
 
-/// The whole block.
-#[derive(Serialize)]
-struct PageData {
-    /// Kind of page.
+/// Data of a workspace: the answer, and what its pictures need besides.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "WorkspaceData")]
+pub(crate) struct PageData<'a> {
+    /// Kind of the page.
+    #[schemars(extend("const" = "workspace"))]
     page: &'static str,
-    robot: RobotData,
-    criterion: CriterionData,
-    start: StartData,
-    grid: GridData,
+    result: &'a WorkspaceAnswer,
+    /// Unit of the margin; empty where it has none.
+    margin_unit: String,
+    robot: RobotPicture,
+    /// Pose at which the platform starts; its orientation is that of every pose of the grid.
+    start: PosePicture,
+    grid: GridData<'a>,
     regions: Vec<RegionData>,
 }
 
-#[derive(Serialize)]
-struct RobotData {
-    name: String,
-    planar: bool,
-    cables: Vec<CableData>,
-}
-
-#[derive(Serialize)]
-struct CriterionData {
-    name: String,
-    /// Of the margin; empty where it has none.
-    unit: String,
-}
-
-#[derive(Serialize)]
-struct StartData {
-    position_m: [f64; 3],
-    quaternion_xyzw: [f64; 4],
-}
-
-#[derive(Serialize)]
-struct AxisData {
-    name: String,
-    direction: [f64; 3],
-    #[serde(flatten)]
-    nodes: Nodes,
-}
-
-/// Lists have an entry per node, the first axis running fastest.
-#[derive(Serialize)]
-struct GridData {
-    axes: Vec<AxisData>,
+/// Verdicts at the nodes of a grid. Lists have an entry per node, the first axis running fastest.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Grid")]
+struct GridData<'a> {
+    axes: &'a [Axis],
+    /// Position that all nodes share across the axes: zero but for planar robots beside the origin.
     base_m: [f64; 3],
-    /// Null for −∞.
+    /// Null for −∞: nothing could mend it.
     margin: Vec<Option<f64>>,
-    /// From 0; −1 for none.
+    /// The cable that limits, from 0; −1 for none.
     cable: Vec<i64>,
-    /// Index among the sentences; −1 where the criterion holds.
+    /// Index of the reason among the sentences; −1 where the criterion holds.
     reason: Vec<i64>,
+    /// Reasons with § for each number.
     sentences: Vec<String>,
+    /// The numbers of every node's reason, joined by spaces.
     numbers: Vec<String>,
+    /// Null where no tensions keep the limits.
     #[serde(rename = "tensions_N")]
     tensions: Vec<Option<Vec<f64>>>,
-    interpolation: Option<InterpolationData>,
+    /// Largest difference of interpolated from computed tensions in the middle of the cells.
+    interpolation: Option<InterpolationError>,
 }
 
-#[derive(Serialize)]
-struct InterpolationData {
-    cells: usize,
-    #[serde(rename = "mean_N")]
-    mean: f64,
-    #[serde(rename = "largest_N")]
-    largest: f64,
-}
-
-/// A result; also what is read from an earlier page.
-#[derive(Deserialize, Serialize)]
+/// Workspace that was found, on this page or an earlier one: a surface of triangles, or areas of a plane.
+#[derive(Deserialize, Serialize, JsonSchema)]
+#[schemars(rename = "WorkspaceRegion")]
 pub(super) struct RegionData {
     name: String,
+    /// Its size, in `unit`.
     measure: f64,
     error_bound: Option<f64>,
     unit: String,
     /// How a surface was found.
     #[serde(default = "hull")]
     method: String,
+    /// World, three numbers each.
     vertices_m: Vec<f64>,
+    /// Three vertices each.
     triangles: Vec<u32>,
     /// At the vertices of a surface, in `margin_unit`; empty where it is not known, as in pages of earlier versions.
     #[serde(default)]
@@ -97,6 +78,7 @@ pub(super) struct RegionData {
     /// At the vertices of a surface: its number from 1, or 0 for none.
     #[serde(default)]
     limiting_cable: Vec<u32>,
+    /// Closed lines in the coordinates of the grid's two axes, of which an odd number encloses what belongs to the area.
     outlines_m: Vec<Vec<[f64; 2]>>,
 }
 
@@ -108,37 +90,27 @@ fn hull() -> String {
 const MARGIN: &str = "margin";
 const LIMITING_CABLE: &str = "limiting cable";
 
-/// The block as text that may stand inside a `script` element.
+/// The block.
 pub(super) fn json(page: &WorkspacePage<'_>, grid: &Grid) -> String {
     let robot = page.model.robot();
-    let is_planar = robot.motion_pattern.is_planar();
-    let [x, y, z, w]: [f64; 4] = page.start.rotation.coords.into();
-    let unit = page.unit;
-    let data = PageData {
-        page: "workspace",
-        robot: RobotData { name: plain(&robot.name), planar: is_planar, cables: cables(page) },
-        criterion: CriterionData {
-            name: plain(page.criterion),
-            unit: if unit == "1" { String::new() } else { plain(unit) },
-        },
-        start: StartData {
-            position_m: vector(&page.start.position, 7),
-            quaternion_xyzw: [x, y, z, w].map(|value| digits(value, 9)),
-        },
+    let pairs = |limits: &Limits| limits.minimum().iter().copied().zip(limits.maximum().iter().copied()).collect();
+    let limits: Vec<(f64, f64)> = page.statics.map_or_else(Vec::new, |(_, limits)| pairs(limits));
+    data_block(&PageData {
+        page: PageKind::Workspace.name(),
+        result: page.answer,
+        margin_unit: if page.unit == "1" { String::new() } else { plain(page.unit) },
+        robot: RobotPicture::of(robot, &limits),
+        start: PosePicture::of(page.start),
         grid: grid_data(grid),
-        regions: page.findings.iter().map(|finding| RegionData::new(finding, is_planar)).collect(),
-    };
-    let text = serde_json::to_string(&data).expect("strings and numbers only");
-    inside_script(&text)
+        regions: page
+            .findings
+            .iter()
+            .map(|finding| RegionData::new(finding, robot.motion_pattern.is_planar()))
+            .collect(),
+    })
 }
 
-fn cables(page: &WorkspacePage<'_>) -> Vec<CableData> {
-    let limits = page.statics.map(|(_, limits)| limits);
-    let limits = |cable: usize| limits.map(|limits| (limits.minimum()[cable], limits.maximum()[cable]));
-    page.model.robot().cables.iter().enumerate().map(|(index, cable)| CableData::of(cable, limits(index))).collect()
-}
-
-fn grid_data(grid: &Grid) -> GridData {
+fn grid_data(grid: &Grid) -> GridData<'_> {
     let mut sentences = Sentences::default();
     let mut reasons = |reason: Option<&String>| match reason {
         Some(reason) => {
@@ -150,7 +122,7 @@ fn grid_data(grid: &Grid) -> GridData {
     let (reason, numbers) = grid.nodes.iter().map(|node| reasons(node.verdict.reason.as_ref())).unzip();
     let rounded = |tensions: &Vec<f64>| tensions.iter().map(|tension| digits(*tension, 4)).collect();
     GridData {
-        axes: grid.axes.iter().map(axis_data).collect(),
+        axes: &grid.axes,
         base_m: vector(&grid.base, 7),
         margin: grid.nodes.iter().map(|node| margin(node.verdict.margin)).collect(),
         cable: grid.nodes.iter().map(|node| node.verdict.cable.map_or(-1, |cable| cable as i64)).collect(),
@@ -158,16 +130,8 @@ fn grid_data(grid: &Grid) -> GridData {
         sentences: sentences.list,
         numbers,
         tensions: grid.nodes.iter().map(|node| node.tensions.as_ref().map(rounded)).collect(),
-        interpolation: grid.interpolation.map(|found| InterpolationData {
-            cells: found.cells,
-            mean: digits(found.mean, 3),
-            largest: digits(found.largest, 3),
-        }),
+        interpolation: grid.interpolation,
     }
-}
-
-fn axis_data(axis: &super::grid::Axis) -> AxisData {
-    AxisData { name: axis.name.clone(), direction: axis.direction.into(), nodes: axis.nodes }
 }
 
 /// Four digits; a margin that holds by less than they show still holds.

@@ -15,6 +15,7 @@ use nalgebra::Vector3;
 use cdpr_workspace::mesh::{Field, Mesh};
 
 use super::*;
+use crate::answers::WorkspaceAnswer;
 use crate::html_page::reading::{assert_stands_alone, data, markup};
 
 /// Ingredients of a page.
@@ -49,6 +50,7 @@ impl Case {
         let criterion = WrenchFeasible::new(&self.model, &self.load, &self.limits).unwrap();
         render(&WorkspacePage {
             model: &self.model,
+            answer: &WorkspaceAnswer::default(),
             criterion: criterion.name(),
             unit: criterion.unit(),
             judge: &|pose| criterion.judge(pose),

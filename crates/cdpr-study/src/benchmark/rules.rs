@@ -1,6 +1,5 @@
 //! Rules of the benchmark, and errors of robots that cannot take part.
 
-use serde::Serialize;
 use thiserror::Error;
 
 use crate::ExperimentError;
@@ -10,7 +9,7 @@ use cdpr_model::geometry::PatternError;
 use cdpr_model::model::{ModelError, ParameterError};
 
 /// Deviations of machines, positions of poses and sensors of the benchmark, the same for all robots.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct BenchmarkRules {
     /// Standard deviation of anchors per axis: for frame anchors as a fraction of their mean distance from their
     /// middle, for platform anchors of their distance from the platform origin.

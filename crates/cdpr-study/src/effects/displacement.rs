@@ -1,13 +1,12 @@
 //! Displacement of the platform under changed controlled lengths.
 
-use nalgebra::{DVector, Vector3};
-use serde::Serialize;
-
 use super::error::EffectError;
 use cdpr_model::equilibrium::{self, ForwardProblem, ForwardSettings, Status};
 use cdpr_model::geometry::{Pose, Twist};
 use cdpr_model::model::Model;
+use cdpr_model::reading::keywords;
 use cdpr_model::statics::{Load, LoadError, StaticsError, Stiffness, cable_state};
+use nalgebra::{DVector, Vector3};
 
 /// Largest distance at which the machine's own lengths must lead back to its pose (m; angles times the platform
 /// radius); otherwise the forward problem does not suit this machine.
@@ -26,8 +25,7 @@ pub struct EffectState {
 }
 
 /// Method by which a displacement was found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum DisplacementMethod {
     /// By the forward problem.
     Exact,
@@ -35,21 +33,19 @@ pub enum DisplacementMethod {
     FirstOrder,
 }
 
+keywords!(DisplacementMethod: Exact = "exact", FirstOrder = "first-order");
+
 /// Displacement of the platform and change of the tensions.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Displacement {
     /// Distance of the platform origin (m).
-    #[serde(rename = "translation_m")]
     pub translation: f64,
     /// Angle of rotation (rad).
-    #[serde(rename = "rotation_rad")]
     pub rotation: f64,
     /// Largest change of a tension at the outlets (N); `None` for rigid straight cables, whose tensions do not follow
     /// from lengths.
-    #[serde(rename = "tension_change_N")]
     pub tension: Option<f64>,
     /// Number of cables that lose their tension.
-    #[serde(rename = "slack_cables")]
     pub slack: usize,
     /// Method by which it was found.
     pub method: DisplacementMethod,

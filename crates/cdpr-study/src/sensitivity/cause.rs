@@ -2,7 +2,7 @@
 
 use std::fmt;
 
-use serde::{Deserialize, Serialize, Serializer};
+use serde::{Deserialize, Serialize};
 
 use cdpr_model::model::{Model, StretchEffect};
 use cdpr_model::robot::{Parameter, ParameterKind, Robot};
@@ -77,12 +77,6 @@ impl Kind {
             "rad" => 1e-4,
             _ => 1e-2,
         }
-    }
-}
-
-impl Serialize for Kind {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.serialize_str(self.name())
     }
 }
 

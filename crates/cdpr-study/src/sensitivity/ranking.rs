@@ -1,7 +1,5 @@
 //! Ranking of deviations: magnitudes of their effects over the poses, by cause and by kind.
 
-use serde::Serialize;
-
 use super::{Derivatives, Kind, ParameterDeviation, Side};
 
 /// Influence of one unit of a cause over the poses.
@@ -25,7 +23,7 @@ pub struct Influence {
 
 /// Influence of a kind of deviation over the poses: the root of the sum of squares over its causes, which is the
 /// displacement by independent deviations of one standard deviation each.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct KindInfluence {
     /// Side of the deviation: control model, machine or winches.
     pub side: Side,
@@ -36,10 +34,8 @@ pub struct KindInfluence {
     /// Unit of the kind.
     pub unit: &'static str,
     /// Root mean square over the poses (m per unit).
-    #[serde(rename = "position_rms_m_per_unit")]
     pub position_rms: f64,
     /// Value at the worst pose (m per unit).
-    #[serde(rename = "position_max_m_per_unit")]
     pub position_max: f64,
 }
 

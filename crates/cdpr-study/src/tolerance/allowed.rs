@@ -1,7 +1,5 @@
 //! The tolerances that a required accuracy allows.
 
-use serde::Serialize;
-
 use crate::sensitivity::{Kind, ParameterDeviation, PoseSensitivity, Side};
 
 /// Tolerances that a required accuracy allows.
@@ -17,7 +15,7 @@ pub struct Allowed {
 }
 
 /// Tolerances of one kind, each in the unit of the kind.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Allowance {
     /// Side of the deviation: control model, machine or winches.
     pub side: Side,
@@ -26,17 +24,13 @@ pub struct Allowance {
     /// Unit of the kind.
     pub unit: &'static str,
     /// Standard deviation of each number if all others are exact; infinite for numbers without effect.
-    #[serde(rename = "sigma_alone")]
     pub alone: f64,
     /// Largest deviation of each number in the worst case if all others are exact.
-    #[serde(rename = "worst_case_alone")]
     pub alone_worst_case: f64,
     /// Standard deviation of each number if all named kinds deviate, each by the same fraction of its own allowance;
     /// `None` for other kinds.
-    #[serde(rename = "sigma_joint")]
     pub joint: Option<f64>,
     /// Largest deviation of each number in the worst case, if all named kinds deviate; `None` for other kinds.
-    #[serde(rename = "worst_case_joint")]
     pub joint_worst_case: Option<f64>,
 }
 

@@ -1,7 +1,5 @@
 //! Accuracy of robots drawn at random.
 
-use serde::Serialize;
-
 use super::batch::{Batch, Room};
 use super::robots::{Made, Makers, draw};
 use crate::sensitivity::{ParameterDeviation, PoseSensitivity, Setting, Side};
@@ -21,8 +19,7 @@ use cdpr_model::tension::Method;
 const ANSWER_LIMIT: usize = 50_000_000;
 
 /// Method by which the drawn robots answer.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub enum Engine {
     /// By the exact forward problem.
     #[default]
@@ -53,7 +50,7 @@ pub struct Settings<'a> {
 }
 
 /// Mean and quantiles of a set of numbers; NaN if it is empty.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Quantiles {
     /// Mean.
     pub mean: f64,
@@ -70,7 +67,7 @@ pub struct Quantiles {
 }
 
 /// Statistics of the drawn robots.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct MonteCarlo {
     /// Method by which they answered.
     pub engine: Engine,
@@ -81,25 +78,18 @@ pub struct MonteCarlo {
     /// Reason for which the first of them has no answer.
     pub reason: Option<String>,
     /// Distance from the commanded position over all robots and poses (m).
-    #[serde(rename = "position_error_m")]
     pub error: Quantiles,
     /// Angle from the commanded orientation (rad).
-    #[serde(rename = "rotation_error_rad")]
     pub rotation_error: Quantiles,
     /// Distance from the position of the robot without deviations (m).
-    #[serde(rename = "deviation_m")]
     pub deviation: Quantiles,
     /// Mean error of each robot over the poses; quantiles over the robots (m).
-    #[serde(rename = "mean_of_robot_m")]
     pub mean_of_robot: Quantiles,
     /// Largest error of each robot; quantiles over the robots (m).
-    #[serde(rename = "max_of_robot_m")]
     pub max_of_robot: Quantiles,
     /// Error, pose by pose; quantiles over the robots (m).
-    #[serde(skip)]
     pub errors: Vec<Quantiles>,
     /// Deviation, pose by pose; quantiles over the robots (m).
-    #[serde(skip)]
     pub deviations: Vec<Quantiles>,
 }
 

@@ -52,7 +52,7 @@ pub(super) fn find(task: &Task<'_>, fit: &Fit, other: Option<&Samples>) -> Resul
         _ => {}
     }
     let out = options.out_reduced.as_ref().map(|path| path.display().to_string());
-    found.reduction = proposal.map(|proposal| ReductionAnswer::new(&proposal, out));
+    found.reduction = proposal.map(|proposal| ReductionAnswer::new(proposal, out));
     Ok(found)
 }
 

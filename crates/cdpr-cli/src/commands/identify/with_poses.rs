@@ -3,6 +3,7 @@
 use std::process::ExitCode;
 
 use cdpr_model::model::Model;
+use cdpr_reports::answers::{IdentificationAnswer, Told};
 
 use super::task::Task;
 use super::{Arguments, path, report, scaling, uncertainty};
@@ -25,20 +26,27 @@ pub(super) fn run(arguments: &Arguments, model: &Model, output: &mut Output) -> 
     let task = Task { model, samples: &samples, arguments, drive: drive.as_ref(), progress: &progress };
     progress.expect(task.descents(1));
     task.tell_about_unused_column(output);
-    let result = task.identify(other.as_ref())?;
-    let calibrated = result.fit.model.robot().clone();
-    let uncertainty = uncertainty::find(&task, &result.fit)?;
-    let files = uncertainty.files(&result.fit.model);
-    let (scaling, map) = scaling::find(&task, &result.fit)?;
-    let mut path = path::find(&task, &result.fit, other.as_ref())?;
-    let (course, course_files) = arguments.course.answer(result.course.clone(), &result.fit);
-    let answer = task.answer(result, output.doubts())?.with_uncertainty(uncertainty).with_path(
-        path.path.take(),
-        path.reduction.take(),
-        path.warning.take(),
-    );
-    let answer = answer.with_scaling(scaling).with_course(course);
-    let calibrated = calibrated.with_calibration(answer.verdict().fit_status()).to_toml();
+    let found = task.identify(other.as_ref())?;
+    let fit = &found.fit;
+    let uncertainty = uncertainty::find(&task, fit)?;
+    let files = uncertainty.files(&fit.model);
+    let (scaling, map) = scaling::find(&task, fit)?;
+    let mut path = path::find(&task, fit, other.as_ref())?;
+    let (course, course_files) = arguments.course.answer(found.course.clone(), fit);
+    let objective = task.objective(&found)?;
+    let told = Told {
+        free: arguments.free.to_string(),
+        data: arguments.data.name(),
+        validation_data: task.validation_name(),
+        warnings: output.doubts(),
+        out: arguments.out.as_ref().map(|path| path.display().to_string()),
+    };
+    let answer = IdentificationAnswer::new(model, found, objective, told)
+        .with_uncertainty(uncertainty)
+        .with_path(path.path.take(), path.reduction.take(), path.warning.take())
+        .with_scaling(scaling)
+        .with_course(course);
+    let calibrated = answer.calibrated().to_toml();
     arguments.uncertainty.write(&files)?;
     let page = arguments
         .report

@@ -111,7 +111,6 @@ pub(super) fn run(arguments: &Arguments, model: &Model, output: &mut Output) -> 
         .zip(other.as_ref())
         .map(|(path, other)| judged((model, &found.fit.model), other, &path.display().to_string()));
     let validation = by_file.transpose()?.or(cross_validated(arguments, (model, &samples), (&folds, &found))?);
-    let calibrated = found.fit.model.robot().clone();
     let poses = found.samples.to_csv(model.robot());
     let (course, mut files) = arguments.course.answer(found.course.clone(), &found.fit);
     let found_samples = found.samples.clone();
@@ -120,7 +119,7 @@ pub(super) fn run(arguments: &Arguments, model: &Model, output: &mut Output) -> 
     let answer =
         SelfCalibrationAnswer::new(found, model, arguments.free.to_string(), name.clone(), &output.doubts(), names);
     let answer = answer.with_judgements(validation, comparison).with_course(course);
-    let calibrated = calibrated.with_calibration(answer.verdict().fit_status()).to_toml();
+    let calibrated = answer.calibrated().to_toml();
     if let Some(path) = &arguments.report {
         let all = other.as_ref().map_or(Ok(samples.clone()), |other| samples.followed_by(other));
         let all = all.map_err(|error| refused(&error))?;

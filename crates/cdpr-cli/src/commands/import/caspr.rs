@@ -4,11 +4,11 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use cdpr_model::reading::Size;
-use cdpr_model::robot::caspr::{Files, Finding, Import, Loss, Options, import};
+use cdpr_model::robot::caspr::{Files, Finding, Loss, Options, import};
+use cdpr_reports::answers::ImportAnswer;
 use clap::Args;
-use serde::Serialize;
 
-use crate::answer::{Answer, Output};
+use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files;
 use crate::numbers::Unreadable;
@@ -58,30 +58,6 @@ fn one_word(text: &str) -> Result<String, Unreadable> {
     if is_word { Ok(text.to_owned()) } else { Err("a name is one word; use hyphens for spaces".into()) }
 }
 
-#[derive(Serialize)]
-struct Imported {
-    robot: String,
-    motion_pattern: &'static str,
-    out: String,
-    taken: Taken,
-    /// Forces and parts that act in CASPR and are not in the robot.
-    refused: Vec<Finding>,
-    /// Parts that were taken incompletely, or do not act.
-    reported: Vec<Finding>,
-    warnings: Vec<String>,
-}
-
-#[derive(Serialize)]
-struct Taken {
-    link: String,
-    joint: String,
-    cable_set: String,
-    cable_sets: Vec<String>,
-    cables: Vec<String>,
-    pulleys: usize,
-    elastic_cables: usize,
-}
-
 pub(super) fn run(arguments: &Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let (bodies_name, cables_name) = (arguments.bodies.display().to_string(), arguments.cables.display().to_string());
     let (bodies, cables) = (files::read(&arguments.bodies, Size::Text)?, files::read(&arguments.cables, Size::Text)?);
@@ -100,57 +76,5 @@ pub(super) fn run(arguments: &Arguments, output: &mut Output) -> Result<ExitCode
     }
     files::write(&arguments.out, import.robot.to_toml().as_bytes())?;
     import.findings.iter().filter(acts).for_each(|finding| output.remark(&finding.to_string()));
-    output.answer(&Imported::new(import, arguments.out.display().to_string()))
-}
-
-impl Imported {
-    fn new(import: Import, out: String) -> Self {
-        let (refused, reported) = import.findings.into_iter().partition(|finding| finding.loss == Loss::LeftOut);
-        let robot = import.robot;
-        let count = |has: fn(&cdpr_model::robot::Cable) -> bool| robot.cables.iter().filter(|cable| has(cable)).count();
-        Self {
-            motion_pattern: robot.motion_pattern.name(),
-            taken: Taken {
-                link: import.link,
-                joint: import.joint,
-                cable_set: import.cable_set,
-                cable_sets: import.cable_sets,
-                cables: robot.cables.iter().map(|cable| cable.name.clone()).collect(),
-                pulleys: count(|cable| cable.pulley_radius().is_some()),
-                elastic_cables: count(|cable| cable.axial_stiffness().is_some()),
-            },
-            warnings: robot.warnings(),
-            robot: robot.name,
-            out,
-            refused,
-            reported,
-        }
-    }
-}
-
-impl Answer for Imported {
-    fn words(&self, _width: Option<usize>) -> String {
-        let Taken { link, joint, cable_set, cable_sets, cables, pulleys, elastic_cables } = &self.taken;
-        let others = cable_sets.iter().filter(|name| *name != cable_set).cloned().collect::<Vec<_>>();
-        let others = if others.is_empty() { String::new() } else { format!(" (others: {})", others.join(", ")) };
-        let mut text = format!(
-            "{}\n\nlink            {link}\njoint           {joint}, motion pattern {}\ncable set       {cable_set}{others}\n\
-             cables          {} ({pulleys} with pulleys, {elastic_cables} elastic)\n",
-            self.robot,
-            self.motion_pattern,
-            cables.len(),
-        );
-        for (heading, findings) in [("left out", &self.refused), ("not taken wholly", &self.reported)] {
-            if !findings.is_empty() {
-                text.push_str(&format!("\n{heading}\n"));
-                findings.iter().for_each(|finding| text.push_str(&format!("  {finding}\n")));
-            }
-        }
-        if !self.warnings.is_empty() {
-            text.push_str("\nwarnings\n");
-            self.warnings.iter().for_each(|warning| text.push_str(&format!("  {warning}\n")));
-        }
-        text.push_str(&format!("\nwritten to {}\n", self.out));
-        text
-    }
+    output.answer(&ImportAnswer::new(import, arguments.out.display().to_string()))
 }

@@ -44,10 +44,15 @@ impl Plan {
     /// Tells which robot the study is about, and the remarks on the study.
     pub(super) fn introduce(&self, output: &Output) -> Result<(), Failure> {
         let Subjects { study, machine, .. } = &self.subjects;
-        output.about(&Robot::from_toml_bytes(machine.as_bytes(), "the machine of the plan")?.name);
+        output.about(&machine_of(machine)?.name);
         let study = Study::from_toml_bytes(study.as_bytes(), "the study of the plan")?;
         study.remarks().iter().for_each(|remark| output.remark(remark));
         Ok(())
+    }
+
+    /// True if the machine moves in a plane.
+    pub(super) fn is_planar(&self) -> Result<bool, Failure> {
+        Ok(machine_of(&self.subjects.machine)?.motion_pattern.is_planar())
     }
 
     /// Writes the plan, unless the folder has another one with rows.
@@ -83,6 +88,10 @@ impl Plan {
         }
         Ok(plan)
     }
+}
+
+fn machine_of(text: &str) -> Result<Robot, Failure> {
+    Ok(Robot::from_toml_bytes(text.as_bytes(), "the machine of the plan")?)
 }
 
 /// A computed point in its file.

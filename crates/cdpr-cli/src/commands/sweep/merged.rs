@@ -29,7 +29,7 @@ pub(super) fn merge(folder: &Path, plan: &Plan, output: &mut Output) -> Result<E
         }
         None => {
             let most = plan.sweep.position_error_max_m.clone();
-            let mut merged = SweepResult::new(name, parameters, most, rows);
+            let mut merged = SweepResult::new(name, plan.is_planar()?, parameters, most, rows);
             let figure = merged.figure();
             merged.files = names(figure.is_some());
             let csv = merged.csv();

@@ -1,12 +1,9 @@
 //! Elements of a model that the robot lacks.
 
-use serde::Serialize;
-
-use crate::reading::Element;
+use crate::reading::{Element, keywords};
 
 /// Part of an element that the robot lacks: all that acts on it, a part of that, or only parts without effect.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Loss {
     /// The element acts on the platform in CASPR, and not in the robot.
@@ -17,8 +14,10 @@ pub enum Loss {
     Ignored,
 }
 
+keywords!(Loss: LeftOut = "left-out", Simplified = "simplified", Ignored = "ignored");
+
 /// An element that the robot lacks wholly or in part.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Finding {
     /// Lost part of the element.
     pub loss: Loss,

@@ -1,15 +1,13 @@
 //! The proof that no tensions within limits balance a load.
 
-use nalgebra::DMatrix;
-use serde::Serialize;
-
 use crate::tension::Limits;
+use nalgebra::DMatrix;
 
 /// A direction y in which the load asks for more than the cables can give (Farkas).
 ///
 /// In equilibrium Σ cᵢ fᵢ = −yᵀ w with c = A y, whatever the distribution. Within limits the sum is at most
 /// Σ max(cᵢ f_min,i, cᵢ f_max,i), and this is less.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Certificate {
     /// y, one entry per row of the structure matrix.
     pub direction: Vec<f64>,
@@ -17,16 +15,12 @@ pub struct Certificate {
     /// acts in the direction at all (lost rank); then the largest entry of y is 1.
     pub weights: Vec<f64>,
     /// −yᵀ w: the value of Σ cᵢ fᵢ in equilibrium (N).
-    #[serde(rename = "required_N")]
     pub required: f64,
     /// The largest Σ cᵢ fᵢ within limits (N), less than `required`.
-    #[serde(rename = "reachable_N")]
     pub reachable: f64,
     /// The limit at which each cable contributes most to Σ cᵢ fᵢ (N).
-    #[serde(skip)]
     pub(super) best: Vec<f64>,
     /// True if no cable acts in the direction.
-    #[serde(skip)]
     pub(super) is_unresisted: bool,
 }
 

@@ -17,23 +17,20 @@ mod plane;
 mod tests;
 mod words;
 
+use super::Limits;
+use super::error::{InputError, check_sizes};
 use active_set::ActiveSet;
 use balance::Balance;
 use bound::BoundEnd;
 pub use certificate::Certificate;
 use nalgebra::DMatrix;
-use serde::Serialize;
-
-use super::Limits;
-use super::error::{InputError, check_sizes};
 
 /// Reason of a status without verdict.
 pub(super) const UNDECIDED: &str =
     "rounding errors are too large for a verdict: anchors, load or limits differ by too many orders of magnitude";
 
 /// Whether the limits can be kept.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Status {
     /// The tensions balance the load, keep their limits, and are the nearest to the reference that do.

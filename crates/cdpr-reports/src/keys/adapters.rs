@@ -1,0 +1,175 @@
+//! Lists, optional values and choices of values that have a table of keys.
+
+use std::borrow::Cow;
+use std::marker::PhantomData;
+
+use cdpr_model::reading::Keyword;
+use schemars::generate::SchemaGenerator;
+use schemars::{JsonSchema, Schema};
+use serde::{Serialize, Serializer};
+
+/// Table of keys by which values are written.
+pub(crate) trait Keys<T: ?Sized> {
+    /// Writes the value under its keys.
+    fn write<S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error>;
+}
+
+/// Makes tables of keys, which serde has given a way to write their values, known to [`Each`] and [`Maybe`].
+macro_rules! tables {
+    ($($keys:ty: $value:ty),+ $(,)?) => {$(
+        impl $crate::keys::Keys<$value> for $keys {
+            fn write<S: serde::Serializer>(value: &$value, serializer: S) -> Result<S::Ok, S::Error> {
+                Self::serialize(value, serializer)
+            }
+        }
+    )+};
+}
+pub(crate) use tables;
+
+/// Tables of keys that need no schema: `Keys of Value { field, field = "key", field by OtherKeys, field.name() }`. A field stands under its own name or the key
+/// that follows, written as it is, by another table, or as the text of a method.
+macro_rules! keys {
+    ($($(#[$doc:meta])* $keys:ident of $value:ty {
+        $($field:ident $(.$text:ident())? $(= $key:literal)? $(by $table:ty)?),+ $(,)?
+    })+) => {$(
+        $(#[$doc])*
+        pub(crate) struct $keys;
+
+        impl $keys {
+            pub(crate) fn serialize<S: serde::Serializer>(value: &$value, serializer: S) -> Result<S::Ok, S::Error> {
+                let mut map = serializer.serialize_map(None)?;
+                $($crate::keys::adapters::entry!(map, value.$field, [$($text)?], [$($key)?], [$($table)?]);)+
+                serde::ser::SerializeMap::end(map)
+            }
+        }
+
+        $crate::keys::adapters::tables!($keys: $value);
+    )+};
+}
+pub(crate) use keys;
+
+/// Entry of a table that [`keys`] makes.
+macro_rules! entry {
+    ($map:ident, $value:ident.$field:ident, $text:tt, [], $table:tt) => {
+        $crate::keys::adapters::entry!($map, $value.$field, $text, [stringify!($field)], $table)
+    };
+    ($map:ident, $value:ident.$field:ident, [], [$key:expr], []) => {
+        serde::ser::SerializeMap::serialize_entry(&mut $map, $key, &$value.$field)?
+    };
+    ($map:ident, $value:ident.$field:ident, [$text:ident], [$key:expr], []) => {
+        serde::ser::SerializeMap::serialize_entry(&mut $map, $key, &$value.$field.$text())?
+    };
+    ($map:ident, $value:ident.$field:ident, [], [$key:expr], [$table:ty]) => {
+        serde::ser::SerializeMap::serialize_entry(
+            &mut $map,
+            $key,
+            &$crate::keys::adapters::Written(&$value.$field, std::marker::PhantomData::<$table>),
+        )?
+    };
+}
+pub(crate) use entry;
+
+/// A value with its table.
+pub(crate) struct Written<'a, T: ?Sized, K>(pub(crate) &'a T, pub(crate) PhantomData<K>);
+
+impl<T: ?Sized, K: Keys<T>> Serialize for Written<'_, T, K> {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        K::write(self.0, serializer)
+    }
+}
+
+/// List of values with one table.
+pub(crate) struct Each<K>(PhantomData<K>);
+
+impl<K> Each<K> {
+    pub(crate) fn serialize<T, S: Serializer>(values: &[T], serializer: S) -> Result<S::Ok, S::Error>
+    where
+        K: Keys<T>,
+    {
+        serializer.collect_seq(values.iter().map(|value| Written(value, PhantomData::<K>)))
+    }
+}
+
+impl<T, K: Keys<T>> Keys<Vec<T>> for Each<K> {
+    fn write<S: Serializer>(value: &Vec<T>, serializer: S) -> Result<S::Ok, S::Error> {
+        Self::serialize(value, serializer)
+    }
+}
+
+/// Value with a table, or null.
+pub(crate) struct Maybe<K>(PhantomData<K>);
+
+impl<K> Maybe<K> {
+    pub(crate) fn serialize<T, S: Serializer>(value: &Option<T>, serializer: S) -> Result<S::Ok, S::Error>
+    where
+        K: Keys<T>,
+    {
+        match value {
+            Some(value) => serializer.serialize_some(&Written(value, PhantomData::<K>)),
+            None => serializer.serialize_none(),
+        }
+    }
+}
+
+impl<T, K: Keys<T>> Keys<Option<T>> for Maybe<K> {
+    fn write<S: Serializer>(value: &Option<T>, serializer: S) -> Result<S::Ok, S::Error> {
+        Self::serialize(value, serializer)
+    }
+}
+
+/// Name of a choice.
+pub(crate) struct Word;
+
+impl Word {
+    pub(crate) fn serialize<T: Keyword, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.serialize_str(value.name())
+    }
+}
+
+impl<T, K: Keys<T>> Keys<Box<T>> for K {
+    fn write<S: Serializer>(value: &Box<T>, serializer: S) -> Result<S::Ok, S::Error> {
+        K::write(value, serializer)
+    }
+}
+
+impl<T: ?Sized, K: Keys<T>> Keys<&T> for K {
+    fn write<S: Serializer>(value: &&T, serializer: S) -> Result<S::Ok, S::Error> {
+        K::write(*value, serializer)
+    }
+}
+
+/// Takes the schema of an adapter from the type that it writes like.
+macro_rules! schema_like {
+    ([$($parameter:ident)?] $adapter:ty: $like:ty) => {
+        impl$(<$parameter: JsonSchema>)? JsonSchema for $adapter {
+            fn inline_schema() -> bool {
+                <$like>::inline_schema()
+            }
+
+            fn schema_name() -> Cow<'static, str> {
+                <$like>::schema_name()
+            }
+
+            fn schema_id() -> Cow<'static, str> {
+                <$like>::schema_id()
+            }
+
+            fn json_schema(generator: &mut SchemaGenerator) -> Schema {
+                <$like>::json_schema(generator)
+            }
+        }
+    };
+}
+schema_like!([K] Each<K>: Vec<K>);
+schema_like!([K] Maybe<K>: Option<K>);
+schema_like!([] Word: String);
+
+/// Numbers of a table that are null where they are not finite.
+pub(crate) fn nullable_numbers(schema: &mut Schema) {
+    let Some(serde_json::Value::Object(properties)) = schema.get_mut("properties") else { return };
+    for property in properties.values_mut() {
+        if property.get("type") == Some(&"number".into()) {
+            property["type"] = serde_json::json!(["number", "null"]);
+        }
+    }
+}

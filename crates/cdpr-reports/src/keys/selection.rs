@@ -1,0 +1,196 @@
+//! Candidates that were judged, and the choice among them.
+
+use cdpr_calibration::fit::Fit;
+use cdpr_calibration::selection::{HeldOut, Judgement, Preference, RequirementOutcome};
+use cdpr_calibration::{Coverage, ErrorBlocks, Information, NoiseSource, PoseRange};
+use schemars::JsonSchema;
+use serde::Serialize;
+
+use super::adapters::{nullable_numbers, tables};
+use super::fit::CandidateFitKeys;
+use super::{Each, ErrorBlockKeys, Maybe};
+
+/// Ranges of the poses, and the validation samples that lie beyond those of their fit.
+#[derive(Serialize, JsonSchema)]
+#[serde(remote = "Coverage")]
+#[schemars(rename = "Coverage")]
+pub(crate) struct CoverageKeys {
+    /// Ranges of the components of the pose.
+    #[serde(with = "Each::<PoseRangeKeys>")]
+    ranges: Vec<PoseRange>,
+    /// Validation samples.
+    validation: usize,
+    /// Validation samples outside the range of the data that the predicting fit saw.
+    outside: usize,
+}
+
+/// Smallest and largest value of a component of the pose, in the data of the fit and in those of the validation.
+#[derive(Serialize, JsonSchema)]
+#[serde(remote = "PoseRange")]
+#[schemars(rename = "PoseRange", transform = nullable_numbers)]
+struct PoseRangeKeys {
+    name: String,
+    /// Unit of the numbers: m or rad.
+    unit: &'static str,
+    fit_min: f64,
+    fit_max: f64,
+    validation_min: f64,
+    validation_max: f64,
+}
+
+/// Choice of one criterion.
+#[derive(Serialize, JsonSchema)]
+#[serde(remote = "Preference")]
+#[schemars(rename = "Preference", transform = nullable_numbers)]
+pub(crate) struct PreferenceKeys {
+    name: &'static str,
+    words: String,
+    /// Name of the chosen candidate.
+    #[serde(rename = "candidate")]
+    candidate_name: String,
+    /// Its value (SI).
+    value: f64,
+    /// Value of the recommended candidate.
+    of_recommended: Option<f64>,
+}
+
+/// Outcome of a requirement, in the unit of its metric.
+#[derive(Serialize, JsonSchema)]
+#[serde(remote = "RequirementOutcome")]
+#[schemars(rename = "RequirementOutcome", transform = nullable_numbers)]
+struct RequirementKeys {
+    /// Name of the error figure with its unit.
+    metric: &'static str,
+    limit: f64,
+    value: f64,
+    met: bool,
+    samples: usize,
+    samples_with_value: usize,
+}
+
+/// Criterion on data held out (SI).
+#[derive(Serialize, JsonSchema)]
+#[serde(remote = "HeldOut")]
+#[schemars(rename = "HeldOut", transform = nullable_numbers)]
+struct HeldOutKeys {
+    criterion: f64,
+    standard_error: f64,
+    samples: usize,
+}
+
+/// Likelihood and information criteria.
+#[derive(Serialize, JsonSchema)]
+#[serde(remote = "Information")]
+#[schemars(rename = "Information", transform = nullable_numbers)]
+struct InformationKeys {
+    log_likelihood: f64,
+    rows: usize,
+    effective_rows: f64,
+    effective_parameters: f64,
+    /// Noise in units of the stated or assumed accuracies.
+    noise: f64,
+    #[schemars(with = "String")]
+    noise_source: NoiseSource,
+    with_wrenches: bool,
+    aic: f64,
+    aicc: f64,
+    bic: f64,
+}
+
+/// Errors on the data that one fold held out.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Fold")]
+struct Fold {
+    name: String,
+    #[serde(flatten, with = "ErrorBlockKeys")]
+    errors: ErrorBlocks,
+}
+
+/// Fit of a candidate and its errors.
+#[derive(Serialize, JsonSchema)]
+#[serde(remote = "Judgement")]
+#[schemars(rename = "Judgement", transform = nullable_numbers)]
+pub(crate) struct JudgementKeys {
+    /// How far the candidate may be relied on.
+    #[serde(getter = "status")]
+    status: &'static str,
+    #[serde(flatten, with = "CandidateFitKeys")]
+    fit: Fit,
+    /// Errors on the data of the fit.
+    #[serde(with = "ErrorBlockKeys")]
+    train: ErrorBlocks,
+    /// Errors on data held out.
+    #[serde(with = "ErrorBlockKeys")]
+    validation: ErrorBlocks,
+    /// Errors on data held out, fold by fold.
+    #[serde(getter = "folds")]
+    folds: Vec<Fold>,
+    /// Mean error by which candidates are compared (SI); null for a candidate that cannot be judged by it.
+    criterion: f64,
+    standard_error: f64,
+    /// Mean position error as a fraction of the diagonal of the validation positions (eq. 3.5).
+    relative_position_error: Option<f64>,
+    /// Criterion on regions left out, where they were asked for.
+    #[serde(rename = "leave_region_out", with = "Maybe::<HeldOutKeys>", skip_serializing_if = "Option::is_none")]
+    regions: Option<HeldOut>,
+    #[serde(flatten, with = "Maybe::<InformationKeys>")]
+    #[schemars(with = "Option<InformationKeys>")]
+    information: Option<Information>,
+    /// Validation samples that criterion and standard error are of.
+    compared_samples: usize,
+    /// Reason against judging the candidate.
+    disqualified: Option<String>,
+    /// Doubts about the parameters with their numbers.
+    #[serde(getter = "cautions")]
+    cautions: Vec<String>,
+    /// Validation samples that no candidate explains and no figure counts.
+    #[serde(getter = "set_aside_samples")]
+    set_aside_samples: usize,
+    #[serde(with = "Each::<RequirementKeys>")]
+    requirements: Vec<RequirementOutcome>,
+    /// False where nobody should work with the candidate.
+    #[serde(getter = "trusted")]
+    trusted: bool,
+    /// Reasons not to trust the candidate.
+    #[serde(getter = "reasons_of_distrust", skip_serializing_if = "Vec::is_empty")]
+    distrust: Vec<String>,
+    #[serde(getter = "warnings")]
+    warnings: Vec<String>,
+}
+
+fn status(judgement: &Judgement) -> &'static str {
+    judgement.verdict().fit_status()
+}
+
+fn folds(judgement: &Judgement) -> Vec<Fold> {
+    judgement.folds.iter().map(|(name, errors)| Fold { name: name.clone(), errors: *errors }).collect()
+}
+
+fn cautions(judgement: &Judgement) -> Vec<String> {
+    judgement.fit.cautions()
+}
+
+fn set_aside_samples(judgement: &Judgement) -> usize {
+    judgement.set_aside.len()
+}
+
+fn trusted(judgement: &Judgement) -> bool {
+    judgement.verdict().is_trusted()
+}
+
+fn reasons_of_distrust(judgement: &Judgement) -> Vec<String> {
+    judgement.distrust.reasons.iter().map(|doubt| doubt.words.clone()).collect()
+}
+
+fn warnings(judgement: &Judgement) -> Vec<String> {
+    judgement.fit.outlier_warning.iter().chain(&judgement.fit.warnings).cloned().collect()
+}
+
+tables!(
+    PoseRangeKeys: PoseRange,
+    PreferenceKeys: Preference,
+    RequirementKeys: RequirementOutcome,
+    HeldOutKeys: HeldOut,
+    InformationKeys: Information,
+    JudgementKeys: Judgement,
+);

@@ -1,0 +1,32 @@
+//! `page-types SCHEMA`: TypeScript interfaces of a JSON Schema on stdout.
+
+mod typescript;
+
+use std::io::Write;
+use std::process::ExitCode;
+
+fn main() -> ExitCode {
+    let Some(path) = std::env::args().nth(1) else { return failed("usage: page-types SCHEMA") };
+    let schema = match std::fs::read_to_string(&path).map_err(|error| error.to_string()).and_then(|text| parsed(&text))
+    {
+        Ok(schema) => schema,
+        Err(error) => return failed(&format!("{path}: {error}")),
+    };
+    match typescript::interfaces(&schema) {
+        Ok(text) => match std::io::stdout().write_all(text.as_bytes()) {
+            Ok(()) => ExitCode::SUCCESS,
+            Err(error) => failed(&error.to_string()),
+        },
+        Err(error) => failed(&format!("{path}: {error}")),
+    }
+}
+
+fn parsed(text: &str) -> Result<serde_json::Value, String> {
+    serde_json::from_str(text).map_err(|error| error.to_string())
+}
+
+fn failed(message: &str) -> ExitCode {
+    // nobody is left to tell where stderr is gone
+    let _ = writeln!(std::io::stderr(), "{message}");
+    ExitCode::FAILURE
+}
