@@ -619,6 +619,7 @@ export type Size = number | null;
 
 /** Cable that was slack. */
 export interface Slack {
+  /** Number of the cable, from 1. */
   cable: number;
   duration_s: number;
   first_s: number;
@@ -742,6 +743,7 @@ export interface Timing {
 
 /** Limit that a cable broke. */
 export interface Violation {
+  /** Number of the cable, from 1. */
   cable: number;
   /** Length of all steps that end with it. */
   duration_s: number;
