@@ -33,8 +33,8 @@ fn the_page_tells_the_numbers_of_the_result_and_is_the_same_every_time() {
     assert!(page == written(), "the same command writes the same page");
     let result: Value =
         serde_json::from_slice(&std::fs::read(folder.path().join("result/result.json")).unwrap()).unwrap();
-    let summary = block(&page)["summary"].clone();
-    for (key, told) in summary.as_object().unwrap() {
+    let answer = block(&page)["result"].clone();
+    for (key, told) in answer.as_object().unwrap() {
         assert_eq!(*told, result[key], "{key}");
     }
     let errors = block(&page)["samples"]["error_m"].clone();
