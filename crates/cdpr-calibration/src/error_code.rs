@@ -38,6 +38,7 @@ impl ErrorCode for fit::InputError {
             Self::PriorSyntax { .. } => "prior::syntax",
             Self::NoMotorAngles { .. } => "data::no-motor-angles",
             Self::NoTensions | Self::PosesWithoutTensions => "data::no-tensions",
+            Self::NoTask => "objective::no-task",
             Self::RobustCost { .. }
             | Self::PriorCost { .. }
             | Self::UnknownPosesOfElastic

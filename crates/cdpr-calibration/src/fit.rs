@@ -23,7 +23,7 @@ pub(super) use profile::Course;
 pub use profile::{Profile, ProfilePoint, profiles};
 pub(super) use report::report;
 pub(super) use settings::{ASSUMED_NOISE, ASSUMED_TENSION_SHARE, prior_sigma};
-pub use settings::{Prior, RowWeights, Settings};
+pub use settings::{Prior, RowWeights, Settings, TaskBox};
 
 use super::clock;
 use super::problem::Problem;

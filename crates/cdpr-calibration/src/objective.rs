@@ -14,6 +14,8 @@ pub enum Objective {
     Length,
     /// Predicted minus measured poses at the recorded lengths, of elastic models with the tensions there (Cartesian space, eq. 4.1, 4.31).
     Pose,
+    /// The same, poses in the box of a task by their full weight, others by less (Cartesian space, where it matters).
+    PoseInTask,
     /// Both together, each in its stated accuracy, of rigid models: poses are unknowns beside the parameters (total least squares).
     Both,
 }
@@ -32,7 +34,7 @@ pub enum Minimize {
     Max,
 }
 
-keywords!(Objective: Length = "length", Pose = "pose", Both = "both");
+keywords!(Objective: Length = "length", Pose = "pose", PoseInTask = "pose-in-task", Both = "both");
 
 keywords!(Minimize: Squares = "squares", Mean = "mean", Max = "max");
 

@@ -40,6 +40,7 @@ pub(crate) enum Failure {
 
 /// Commands and options that mend what the library refuses, by the code of the error.
 const REMEDIES: &[(&str, &str)] = &[
+    ("objective::no-task", "give --task STUDY.toml, whose table [task] has min and max"),
     ("data::no-validation", "give --validation, a column `set`, or another --split"),
     (
         "data::gauge-open",

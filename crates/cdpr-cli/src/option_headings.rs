@@ -41,7 +41,7 @@ const HEADINGS: &[(&str, &[&str])] = &[
     ),
     ("Data", &["sigma", "columns", "skip-invalid", "merge", "merge-gap", "static"]),
     ("Validation", &["validation", "split", "regions"]),
-    ("Objective", &["objective", "minimize", "loss", "rotation-length", "row-weight"]),
+    ("Objective", &["objective", "minimize", "loss", "rotation-length", "task", "row-weight"]),
     ("Penalties", &["path", "towards", "shrink"]),
     ("Accuracy", &["accuracy", "offsets", "linear", "vary", "change"]),
     (

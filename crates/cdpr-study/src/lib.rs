@@ -30,4 +30,4 @@ pub use identification::{Identification, IdentificationData, identify};
 pub use objective_comparison::{Driven, JudgedOptimum, OptimumOf, compare_objectives};
 pub use poorer::missing_effects;
 pub use prediction::PredictionError;
-pub use study::Study;
+pub use study::{Study, Task};

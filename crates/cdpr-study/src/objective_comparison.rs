@@ -72,7 +72,7 @@ pub fn compare_objectives(
     };
     let mut all: Vec<JudgedOptimum> = judged(model, None, true).into_iter().collect();
     for &objective in Objective::ALL {
-        if objective == Objective::Both && !objective.has_residuals(model, samples, settings) {
+        if objective != Objective::Length && !objective.has_residuals(model, samples, settings) {
             continue;
         }
         for &minimize in Minimize::ALL {

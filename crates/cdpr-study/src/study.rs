@@ -49,9 +49,21 @@ pub struct Study {
     pub tolerances: Option<Tolerances>,
     /// Rounds of planned measurements. `cdpr campaign` only.
     pub campaign: Option<CampaignTable>,
+    /// Positions that the robot works at, where poses count fully with the objective `pose-in-task`. `cdpr identify`, `cdpr select` only.
+    pub task: Option<Task>,
     /// Errors that a publication prints of the stages of its machine. `cdpr chain` only.
     #[serde(default)]
     pub published: Vec<PublishedStage>,
+}
+
+/// Box of positions that the robot works at.
+#[derive(Clone, Copy, Debug, PartialEq, Deserialize, schemars::JsonSchema)]
+#[serde(deny_unknown_fields)]
+pub struct Task {
+    /// Lower corner (world, m).
+    pub min: [f64; 3],
+    /// Upper corner (world, m).
+    pub max: [f64; 3],
 }
 
 /// The model that computes the controlled lengths.

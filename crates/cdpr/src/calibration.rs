@@ -31,7 +31,7 @@ pub mod fit {
 
     #[doc(inline)]
     pub use cdpr_calibration::fit::{
-        Estimate, Fit, InputError, Minimizer, OptimalParameters, Prior, Profile, Settings, Status, fit,
+        Estimate, Fit, InputError, Minimizer, OptimalParameters, Prior, Profile, Settings, Status, TaskBox, fit,
         optimal_parameters, profiles,
     };
 }

@@ -132,6 +132,9 @@ pub enum InputError {
          add the columns tension_N_1, tension_N_2, … to the data, or choose a model without `elastic`"
     )]
     PosesWithoutTensions,
+    /// Poses of a task without a task.
+    #[error("poses count by a task, and no task is given")]
+    NoTask,
     /// Poses as unknowns of an elastic model.
     #[error(
         "wrenches and lengths of an elastic model are weighed by the accuracy of the measured poses already, so that poses are no unknowns of theirs: \

@@ -32,6 +32,8 @@ pub struct Settings {
     /// Length by which rotations count beside positions in [`Objective::Pose`] (m); `None`: σ_r/σ_Φ where both are stated, else the root mean
     /// square of the platform anchors' distances.
     pub rotation_length: Option<f64>,
+    /// Box of the task, where poses count fully in [`Objective::PoseInTask`].
+    pub task: Option<TaskBox>,
     /// How samples count whose residuals are larger than noise.
     pub loss: Loss,
     /// Stop once the parameters are this near to the optimum, judged by the last steps (m; scales times the mean length).
@@ -61,6 +63,7 @@ impl Default for Settings {
             objective: Objective::default(),
             minimize: Minimize::default(),
             rotation_length: None,
+            task: None,
             loss: Loss::default(),
             tolerance: 1e-10,
             minimizer: Minimizer::default(),
@@ -72,6 +75,15 @@ impl Default for Settings {
             keeps_course: false,
         }
     }
+}
+
+/// Box of positions that a task needs (world, m).
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct TaskBox {
+    /// Lower corner.
+    pub min: [f64; 3],
+    /// Upper corner.
+    pub max: [f64; 3],
 }
 
 impl Settings {

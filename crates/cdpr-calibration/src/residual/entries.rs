@@ -6,6 +6,7 @@ use super::balance::start::checked_start;
 use super::both::UnknownPoses;
 use super::given::Given;
 use super::lengths::{EvenLengths, LengthResidual};
+use super::pose_in_task::PoseInTask;
 use super::poses::PoseResidual;
 use crate::fit::{ASSUMED_NOISE, InputError, RowWeights, Settings};
 use crate::objective::{Minimize, Objective};
@@ -24,7 +25,8 @@ struct Entry {
 /// All objectives.
 const ENTRIES: &[Entry] = &[
     Entry { objective: Objective::Length, make: lengths },
-    Entry { objective: Objective::Pose, make: poses },
+    Entry { objective: Objective::Pose, make: |given| poses(given, |own| Ok(Box::new(PoseResidual::new(own)?))) },
+    Entry { objective: Objective::PoseInTask, make: |given| poses(given, |own| Ok(Box::new(PoseInTask::new(own)?))) },
     Entry { objective: Objective::Both, make: |given| Ok(Box::new(UnknownPoses::new(given)?)) },
 ];
 
@@ -76,11 +78,14 @@ pub(crate) fn length_rows<'a>(given: &Given<'a, '_>, noise: RowNoise) -> Result<
 }
 
 /// Predicted poses, of elastic models with tensions.
-fn poses<'a>(given: &Given<'a, '_>) -> Result<Box<dyn Residual + 'a>, InputError> {
+fn poses<'a>(
+    given: &Given<'a, '_>,
+    make: impl FnOnce(&Given<'a, '_>) -> Result<Box<dyn Residual + 'a>, InputError>,
+) -> Result<Box<dyn Residual + 'a>, InputError> {
     if given.model.needs_tensions() && given.samples.tensions.is_none() {
         return Err(InputError::PosesWithoutTensions);
     }
-    with_start(given, |given| Ok(Box::new(PoseResidual::new(given)?)))
+    with_start(given, make)
 }
 
 /// Residuals of a model with the load that its parameters need.

@@ -8,6 +8,7 @@ pub(crate) mod group_rows;
 pub(crate) mod length_errors;
 pub(crate) mod lengths;
 mod metric;
+mod pose_in_task;
 pub(crate) mod pose_rows;
 pub(crate) mod poseless;
 mod poses;

@@ -1,7 +1,11 @@
 //! Options that say what a fit makes small.
 
+use std::fmt;
+
+use cdpr_calibration::fit::TaskBox;
 use cdpr_calibration::{Minimize, Objective, fit};
-use cdpr_model::reading::Keyword;
+use cdpr_model::reading::{Keyword, ReadError};
+use cdpr_study::Study;
 use clap::Args;
 
 use crate::keyword::keyword;
@@ -11,7 +15,7 @@ use crate::numbers::positive_length;
 #[derive(Clone, Debug, Args)]
 pub(crate) struct ObjectiveArguments {
     /// Residuals that are made small: of the lengths at the measured poses, of the poses that the model predicts from the recorded lengths (of
-    /// elastic models with the tensions), or of both in their stated accuracies, the poses unknown (rigid models).
+    /// elastic models with the tensions), of these mostly where the task of --task is, or of both in their stated accuracies, the poses unknown (rigid models).
     #[arg(long, value_name = "OBJECTIVE", default_value = Objective::default().name(), value_parser = keyword::<Objective>())]
     objective: Objective,
 
@@ -23,22 +27,65 @@ pub(crate) struct ObjectiveArguments {
     /// rotation, else the root mean square of the platform anchors' distances.
     #[arg(long, value_name = "METRES", value_parser = positive_length)]
     rotation_length: Option<f64>,
+
+    /// Study whose table `[task]` (`min`, `max`: a box of positions in metres) tells where poses count fully with `--objective pose-in-task`; they
+    /// count a tenth from a tenth of its diagonal off on.
+    #[arg(long, value_name = "STUDY.toml", value_parser = task_of)]
+    task: Option<TaskFile>,
+}
+
+/// The task of a study, with the name of its file.
+#[derive(Clone, Debug)]
+struct TaskFile {
+    name: String,
+    task: TaskBox,
+}
+
+/// A study without a task that can be read.
+#[derive(Debug)]
+enum TaskError {
+    File(std::io::Error),
+    Study(ReadError),
+    NoTask,
+}
+
+impl fmt::Display for TaskError {
+    fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
+        match self {
+            Self::File(error) => write!(f, "cannot read the study: {error}"),
+            Self::Study(error) => error.fmt(f),
+            Self::NoTask => f.write_str(
+                "this study has no table `[task]`; write min = [x, y, z] and max = [x, y, z] in metres below it",
+            ),
+        }
+    }
+}
+
+impl std::error::Error for TaskError {}
+
+fn task_of(path: &str) -> Result<TaskFile, TaskError> {
+    let bytes = std::fs::read(path).map_err(TaskError::File)?;
+    let study = Study::from_toml_bytes(&bytes, path).map_err(TaskError::Study)?;
+    let task = study.task.ok_or(TaskError::NoTask)?;
+    Ok(TaskFile { name: path.to_owned(), task: TaskBox { min: task.min, max: task.max } })
 }
 
 impl ObjectiveArguments {
     /// Settings of a fit with these residuals and this cost.
     pub(crate) fn of(&self, settings: fit::Settings) -> fit::Settings {
-        let Self { objective, minimize, rotation_length } = *self;
-        fit::Settings { objective, minimize, rotation_length, ..settings }
+        let Self { objective, minimize, rotation_length, .. } = *self;
+        let task = self.task.as_ref().map(|file| file.task);
+        fit::Settings { objective, minimize, rotation_length, task, ..settings }
     }
 
     /// The options that are not at their default, with their values as they are written.
-    pub(crate) fn written(&self) -> [(&'static str, String); 3] {
+    pub(crate) fn written(&self) -> [(&'static str, String); 4] {
         let unless_default = |name: &str, default: &str| if name == default { String::new() } else { name.to_owned() };
         [
             ("objective", unless_default(self.objective.name(), Objective::default().name())),
             ("minimize", unless_default(self.minimize.name(), Minimize::default().name())),
             ("rotation-length", self.rotation_length.map(|length| length.to_string()).unwrap_or_default()),
+            ("task", self.task.as_ref().map(|file| file.name.clone()).unwrap_or_default()),
         ]
     }
 }

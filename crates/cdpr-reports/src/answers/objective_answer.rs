@@ -108,6 +108,7 @@ impl ObjectiveAnswer {
                 format!("the errors of predicted poses, rotations by {} m", cell(Some(length), 3))
             }
             Objective::Pose => "the errors of predicted poses".to_owned(),
+            Objective::PoseInTask => "the errors of predicted poses, a tenth as much away from the task".to_owned(),
             Objective::Both => "lengths and poses in their accuracies, the poses unknown".to_owned(),
             _ => "the length residuals".to_owned(),
         }

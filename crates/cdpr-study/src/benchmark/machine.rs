@@ -154,6 +154,7 @@ fn study(robot: &Robot, rules: &BenchmarkRules) -> Study {
         history: None,
         tolerances: None,
         campaign: None,
+        task: None,
         published: Vec::new(),
     }
 }

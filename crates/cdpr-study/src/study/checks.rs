@@ -1,7 +1,7 @@
 //! Checks of a study file; each error names its key.
 
 use super::published::STAGES;
-use super::{CampaignTable, PoseGrid, PublishedStage, RandomPoses, Study, TensionTests, Tolerances};
+use super::{CampaignTable, PoseGrid, PublishedStage, RandomPoses, Study, Task, TensionTests, Tolerances};
 use cdpr_model::model::Composition;
 use cdpr_model::reading::{ReadError, Step, TomlDocument};
 
@@ -25,6 +25,15 @@ pub(super) fn check(study: &Study, document: &TomlDocument<'_>) -> Result<(), Re
     }
     if let Some(campaign) = &study.campaign {
         check_campaign(campaign, &place)?;
+    }
+    if let Some(Task { min, max }) = &study.task {
+        // written so that NaN is refused too; a planar robot's box has no depth
+        let is_box = min.iter().zip(max).all(|(min, max)| min <= max && (max - min).is_finite());
+        if !is_box || min == max {
+            return Err(
+                place.error(&["task", "max"], "max is above min in some directions, and below in none".to_owned())
+            );
+        }
     }
     check_published(&study.published, &place)?;
     check_poses(study, &place)
