@@ -102,3 +102,28 @@ fn a_displaced_row_is_named_beside_every_objective() {
         assert!(answer["warnings"][0].as_str().unwrap().starts_with("outliers: 1 of "), "{}", answer["warnings"]);
     }
 }
+
+/// A task without a box, and the objective without a task, are told how to be mended; with one the errors of poses in it are smaller than by all poses alike.
+#[test]
+fn poses_count_where_the_task_of_a_study_is() {
+    let (folder, wide) = recorded();
+    let study = std::fs::read_to_string(&wide).unwrap();
+    let task = "\n[task]\nmin = [-1.0, 3.0, 0.0]\nmax = [1.0, 5.0, 0.0]\n";
+    std::fs::write(folder.path().join("task.toml"), format!("{study}{task}")).unwrap();
+    std::fs::write(folder.path().join("flat.toml"), format!("{study}{}", task.replace("[1.0", "[-2.0"))).unwrap();
+    let mean = |options: &str| {
+        let run = identify(&folder, &format!("{options} --format json"));
+        let answer: serde_json::Value = serde_json::from_str(&run.stdout).unwrap();
+        answer["predicted"]["position_error_m"]["mean"].as_f64().unwrap()
+    };
+    let (all, in_task) = (mean("--objective pose"), mean("--objective pose-in-task --task task.toml"));
+    // the task wins what the rest loses
+    assert!(in_task > all * (1.0 + 1e-4), "{in_task} {all}");
+    let without = identify(&folder, "--objective pose-in-task");
+    assert_eq!(without.exit_code, 2, "{}", without.stdout);
+    assert!(without.stderr.contains("objective::no-task") && without.stderr.contains("--task"), "{}", without.stderr);
+    let no_table = identify(&folder, &format!("--objective pose-in-task --task {wide}"));
+    assert!(no_table.exit_code == 2 && no_table.stderr.contains("[task]"), "{}", no_table.stderr);
+    let wrong = identify(&folder, "--objective pose-in-task --task flat.toml");
+    assert!(wrong.exit_code == 2 && wrong.stderr.contains("max is above min"), "{}", wrong.stderr);
+}

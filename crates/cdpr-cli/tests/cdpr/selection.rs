@@ -90,7 +90,7 @@ fn results_are_the_same_bytes_on_any_number_of_threads() {
     assert_eq!(first, on_threads("4", "four"));
     let again =
         cdpr_in(&folder.path().join("one"), "select robot.toml training.csv --validation validation.csv --format json");
-    assert_eq!(again.json()["recommended"], "standard:frame-anchor,length-offset,length-scale");
+    assert_eq!(again.json()["recommended"], "elastic:frame-anchor,platform-anchor,length-offset,compliance,wrench");
     for set in ["training", "validation"] {
         let seed = if set == "training" { 1 } else { 2 };
         let run =
