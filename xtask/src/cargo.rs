@@ -5,6 +5,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use crate::outcome::Outcome;
+use crate::programs::output;
 
 /// A cargo command at the workspace root; doc warnings are errors.
 pub(crate) fn command(root: &Path, arguments: &[&str]) -> Command {
@@ -166,6 +167,34 @@ pub(crate) const PORTABLE_TESTS: &[&str] = &[
     "cdpr/files,cdpr/parallel,cdpr/error-control,cdpr-core/std",
 ];
 
+/// Complains of crates that would have the wide vectors in [`PORTABLE_TESTS`]: a feature of one manifest gives them to all, and doubles the
+/// time of compiling.
+pub(crate) fn portable(root: &Path) -> Outcome {
+    let selection: Vec<&str> =
+        PORTABLE_TESTS[1..].iter().copied().filter(|word| !["--lib", "--bins", "--tests"].contains(word)).collect();
+    let shown = ["tree", "--edges", "normal,dev", "--prefix", "none", "--format", "{p}|{f}"];
+    match output(command(root, &[&shown[..], &selection].concat())) {
+        Ok(tree) => Outcome::of(with_vectors(&tree)),
+        Err(complaint) => Outcome::of(vec![complaint]),
+    }
+}
+
+/// A complaint for each package in lines `NAME VERSION (PATH)|FEATURES` that has the feature `vectors`.
+fn with_vectors(tree: &str) -> Vec<String> {
+    let named = tree.lines().filter_map(|line| {
+        let (package, features) = line.split_once('|')?;
+        let has = features.trim_end_matches(" (*)").split(',').any(|feature| feature == "vectors");
+        has.then(|| package.split(' ').next().unwrap_or_default())
+    });
+    let names: std::collections::BTreeSet<&str> = named.collect();
+    let complaint = |name| {
+        format!(
+            "the portable tests compile {name} with `vectors`: look for who asks for its default features with `cargo tree -e features -i {name}`"
+        )
+    };
+    names.into_iter().map(complaint).collect()
+}
+
 /// Builds the command for release and tells where it is.
 pub(crate) fn the_command(root: &Path) -> Result<PathBuf, String> {
     succeed(root, RELEASE).into_result()?;
@@ -216,5 +245,13 @@ mod tests {
         let line = "test result: FAILED. 12 passed; 3 failed; 1 ignored; 0 measured; 0 filtered out; finished in 0.00s";
         assert_eq!(test_result(line), Some((12, 3)));
         assert_eq!(test_result("test identification::recovers_offsets ... ok"), None);
+    }
+
+    #[test]
+    fn packages_with_vectors_are_named_once() {
+        let tree = "cdpr-core v0.1.0 (/here/cdpr-core)|default,std\ncdpr-model v0.1.0 (/here)|files,vectors\n\n\
+                    cdpr-model v0.1.0 (/here)|files,vectors (*)\npulp v0.22.3|std,x86-v4\n";
+        let found = with_vectors(tree);
+        assert_eq!((found.len(), found[0].contains("compile cdpr-model with")), (1, true), "{found:?}");
     }
 }

@@ -17,8 +17,11 @@ pub(crate) fn count() {
     inverse_kinematics();
     forward();
     tensions();
-    let text = builtin::find(RIGID).expect("built in");
-    counting::count("robot file, read", &mut || usize::from(Robot::from_toml(black_box(text), "robot.toml").is_ok()));
+    // without the published errors, which the file had not when it was first counted: counts compare code, not files
+    let (head, rest) =
+        builtin::find(RIGID).and_then(|text| text.split_once("\n# errors that the source")).expect("built in");
+    let text = format!("{head}{}", &rest[rest.find("\n[platform]").expect("a platform")..]);
+    counting::count("robot file, read", &mut || usize::from(Robot::from_toml(black_box(&text), "robot.toml").is_ok()));
 }
 
 fn inverse_kinematics() {

@@ -19,24 +19,56 @@ type Make = for<'a> fn(&Given<'a, '_>) -> Result<Box<dyn Residual + 'a>, InputEr
 /// Residuals of an objective.
 struct Entry {
     objective: Objective,
+    /// The residuals in words.
+    words: &'static str,
+    /// True where rotations count beside positions by a length.
+    counts_rotations: bool,
     make: Make,
 }
 
 /// All objectives.
 const ENTRIES: &[Entry] = &[
-    Entry { objective: Objective::Length, make: lengths },
-    Entry { objective: Objective::Pose, make: |given| poses(given, |own| Ok(Box::new(PoseResidual::new(own)?))) },
-    Entry { objective: Objective::PoseInTask, make: |given| poses(given, |own| Ok(Box::new(PoseInTask::new(own)?))) },
-    Entry { objective: Objective::Both, make: |given| Ok(Box::new(UnknownPoses::new(given)?)) },
+    Entry { objective: Objective::Length, words: "the length residuals", counts_rotations: false, make: lengths },
+    Entry {
+        objective: Objective::Pose,
+        words: "the errors of predicted poses",
+        counts_rotations: true,
+        make: |given| poses(given, |own| Ok(Box::new(PoseResidual::new(own)?))),
+    },
+    Entry {
+        objective: Objective::PoseInTask,
+        words: "the errors of predicted poses, a tenth as much away from the task",
+        counts_rotations: true,
+        make: |given| poses(given, |own| Ok(Box::new(PoseInTask::new(own)?))),
+    },
+    Entry {
+        objective: Objective::Both,
+        words: "lengths and poses in their accuracies, the poses unknown",
+        counts_rotations: false,
+        make: |given| Ok(Box::new(UnknownPoses::new(given)?)),
+    },
 ];
+
+fn entry(objective: Objective) -> &'static Entry {
+    ENTRIES.iter().find(|entry| entry.objective == objective).unwrap_or(&ENTRIES[0])
+}
 
 /// Residuals of the objective of the settings.
 pub(crate) fn residual<'a>(given: &Given<'a, '_>) -> Result<Box<dyn Residual + 'a>, InputError> {
-    let own = ENTRIES.iter().find(|entry| entry.objective == given.settings.objective);
-    (own.unwrap_or(&ENTRIES[0]).make)(given)
+    (entry(given.settings.objective).make)(given)
 }
 
 impl Objective {
+    /// The residuals in words.
+    pub fn residuals(self) -> &'static str {
+        entry(self).words
+    }
+
+    /// True where rotations count beside positions by a length ([`Settings::rotation_length`]).
+    pub fn counts_rotations(self) -> bool {
+        entry(self).counts_rotations
+    }
+
     /// True where it has residuals for a model and samples; `both` is for rigid models with stated accuracies of lengths and positions.
     pub fn has_residuals(self, model: &Model, samples: &Samples, settings: &Settings) -> bool {
         let settings = Settings { objective: self, ..settings.clone() };
@@ -95,4 +127,17 @@ fn with_start<'a>(
 ) -> Result<Box<dyn Residual + 'a>, InputError> {
     let start = checked_start(given.model, given.samples, given.parameters)?;
     make(&Given { model: &start, ..*given })
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn every_objective_has_one_entry() {
+        for objective in Objective::ALL {
+            let count = ENTRIES.iter().filter(|entry| entry.objective == *objective).count();
+            assert_eq!(count, 1, "{objective:?}");
+        }
+    }
 }

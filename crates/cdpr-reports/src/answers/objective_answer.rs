@@ -102,15 +102,10 @@ impl ObjectiveAnswer {
     }
 
     fn residuals(&self, values: &ObjectiveValues, pattern: MotionPattern) -> String {
-        match self.objective {
-            Objective::Pose if pattern.has_rotation() => {
-                let length = values.rotation_length_m;
-                format!("the errors of predicted poses, rotations by {} m", cell(Some(length), 3))
-            }
-            Objective::Pose => "the errors of predicted poses".to_owned(),
-            Objective::PoseInTask => "the errors of predicted poses, a tenth as much away from the task".to_owned(),
-            Objective::Both => "lengths and poses in their accuracies, the poses unknown".to_owned(),
-            _ => "the length residuals".to_owned(),
+        let words = self.objective.residuals();
+        match self.objective.counts_rotations() && pattern.has_rotation() {
+            true => format!("{words}, rotations by {} m", cell(Some(values.rotation_length_m), 3)),
+            false => words.to_owned(),
         }
     }
 
