@@ -48,7 +48,7 @@ impl<'a> Problem<'a> {
         let unknowns = Unknowns {
             parameters,
             start: parameters.iter().map(|parameter| parameter.value(model.robot())).collect(),
-            scale: residual.scales().unwrap_or_else(scales),
+            scale: residual.scales().unwrap_or_else(scales).into(),
             settings,
             mean_tension: tensions.iter().sum::<f64>() / tensions.len().max(1) as f64,
         };

@@ -63,7 +63,7 @@ pub(crate) fn report(
     let estimate = |((parameter, &start), &sigma): ((&Parameter, &f64), &Option<f64>)| {
         estimate(*parameter, start, &calibrated, sigma, unknowns.settings)
     };
-    let named = unknowns.parameters.iter().zip(&unknowns.start).zip(&analysis.sigmas);
+    let named = unknowns.parameters.iter().zip(unknowns.start.iter()).zip(&analysis.sigmas);
     let estimates: Vec<Estimate> = named.map(estimate).collect();
     let remarks = residual.remarks(&calibrated, &estimates, noise_factor, &mut analysis);
     let (status, reason) = match remarks.objection {

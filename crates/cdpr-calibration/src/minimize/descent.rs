@@ -10,6 +10,9 @@ use cdpr_model::solve::{
     Trial, minimizer,
 };
 
+/// Steps that are recorded without allocating again; few descents take more.
+const HISTORY_CAPACITY: usize = 16;
+
 /// Cost of parameters with its normal equations.
 pub(crate) trait System {
     /// Normal equations with their cost.
@@ -90,7 +93,7 @@ pub(crate) fn descend<S: System>(
     rules: &Rules<f64>,
 ) -> End {
     let trial = Place { values: from.to_vec(), equations };
-    let trail = Trail::new(around.keeps_course, 0);
+    let trail = Trail::new(around.keeps_course, HISTORY_CAPACITY);
     let (here, memory) = (trial.clone(), Memory::new(from.len()));
     let mut descent = Descent { system, around, here, here_cost: f64::INFINITY, trial, untried: None, trail, memory };
     let rules = Rules { max_iterations: if from.is_empty() { 0 } else { rules.max_iterations }, ..*rules };
@@ -98,7 +101,7 @@ pub(crate) fn descend<S: System>(
     let mut iterations = end.iterations as u32;
     let is_fixed = from.is_empty() && end.stop() != Stop::Degenerate;
     let stopped = if is_fixed { StoppedBy::at_start(rules.tolerance) } else { StoppedBy::of(&end, &rules) };
-    let Descent { here: Place { mut values, equations }, trial, untried, mut trail, .. } = descent;
+    let Descent { here: Place { mut values, equations }, trial, untried, mut trail, mut memory, .. } = descent;
     let mut cost = equations.cost();
     if end.stop() == Stop::Degenerate {
         return End { values, cost: f64::NAN, iterations, trail: Trail::default(), stopped };
@@ -112,8 +115,8 @@ pub(crate) fn descend<S: System>(
                 cost *= 1.0 - gain;
                 trail.push(cost, || values.clone());
             }
-        } else if let Some(step) = around.plain_step(&values, &equations) {
-            values.iter_mut().zip(step).for_each(|(value, step)| *value += step);
+        } else if around.step(&values, &equations, &Control::none(), &mut memory).is_some() {
+            values.iter_mut().zip(&memory.step).for_each(|(value, step)| *value += step);
         }
     }
     End { values, cost, iterations, trail, stopped }

@@ -199,13 +199,15 @@ impl Search<'_, '_> {
     ) -> Result<(End, Starts), InputError> {
         let of_block = |own: &Unknowns<'_>| Part {
             parameters: own.parameters.to_vec(),
-            start: own.start.clone(),
-            scale: own.scale.clone(),
+            start: own.start.to_vec(),
+            scale: own.scale.to_vec(),
         };
-        let parts: Vec<Part> = self.own.iter().map(of_block).collect();
-        let blocks = self.blocks.clone();
+        // the file's values alone ask for no drawing of others
+        let drawn = if unknowns.settings.starts > 1 { &self.own[..] } else { &[] };
+        let parts: Vec<Part> = drawn.iter().map(of_block).collect();
+        let count = self.blocks.len();
         let mut best: Vec<Settled> =
-            blocks.into_iter().enumerate().map(|(part, block)| self.settle(part, &from[block], None)).collect();
+            (0..count).map(|part| self.settle(part, &from[self.blocks[part].clone()], None)).collect();
         if !best.iter().all(|end| end.cost().is_finite()) {
             return Err(InputError::NotFinite);
         }

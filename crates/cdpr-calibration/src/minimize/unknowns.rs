@@ -1,5 +1,6 @@
 //! Free parameters with their priors, bounds and scales, as every descent sees them.
 
+use std::borrow::Cow;
 use std::ops::Range;
 
 use super::dense::DenseEquations;
@@ -14,9 +15,9 @@ use cdpr_model::solve::Rules;
 pub(crate) struct Unknowns<'a> {
     pub(crate) parameters: &'a [Parameter],
     /// Values before the fit, where priors are centred.
-    pub(crate) start: Vec<f64>,
+    pub(crate) start: Cow<'a, [f64]>,
     /// Metres that one unit of each parameter is worth.
-    pub(crate) scale: Vec<f64>,
+    pub(crate) scale: Cow<'a, [f64]>,
     pub(crate) settings: &'a Settings,
     /// Mean recorded tension, 0 without (N).
     pub(crate) mean_tension: f64,
@@ -59,14 +60,15 @@ impl Ridge {
     }
 }
 
-impl<'a> Unknowns<'a> {
+impl Unknowns<'_> {
     /// Those of a block.
-    pub(crate) fn within(&self, block: Range<usize>) -> Self {
-        Self {
+    pub(crate) fn within(&self, block: Range<usize>) -> Unknowns<'_> {
+        Unknowns {
             parameters: &self.parameters[block.clone()],
-            start: self.start[block.clone()].to_vec(),
-            scale: self.scale[block].to_vec(),
-            ..*self
+            start: Cow::Borrowed(&self.start[block.clone()]),
+            scale: Cow::Borrowed(&self.scale[block]),
+            settings: self.settings,
+            mean_tension: self.mean_tension,
         }
     }
 

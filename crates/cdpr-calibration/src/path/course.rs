@@ -86,7 +86,7 @@ impl Question<'_> {
     }
 
     fn part(&self, block: usize, own: &Unknowns<'_>) -> Part {
-        let (parameters, scales) = (own.parameters, own.scale.clone());
+        let (parameters, scales) = (own.parameters, own.scale.to_vec());
         let centre: Vec<f64> = parameters.iter().map(|parameter| self.centre(parameter)).collect();
         let bounds = parameters.iter().zip(&scales).zip(&centre).map(|((parameter, scale), centre)| {
             let (low, high) = parameter.bounds();

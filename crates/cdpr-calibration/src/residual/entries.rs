@@ -132,6 +132,7 @@ fn with_start<'a>(
 #[cfg(test)]
 mod tests {
     use super::*;
+    use cdpr_model::reading::Keyword;
 
     #[test]
     fn every_objective_has_one_entry() {

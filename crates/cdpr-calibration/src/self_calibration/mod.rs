@@ -181,7 +181,7 @@ impl Question<'_> {
         Ok(Unknowns {
             parameters,
             start: parameters.iter().map(|parameter| parameter.value(model.robot())).collect(),
-            scale: joint_scales(&self.model, parameters, &lengths, self.tensions()),
+            scale: joint_scales(&self.model, parameters, &lengths, self.tensions()).into(),
             settings,
             mean_tension: self.mean_tension(),
         })

@@ -3,7 +3,7 @@
 #[cfg(test)]
 mod tests;
 
-use super::further::{Turns, further_place};
+use super::further::{FURTHER, Turns, further_place};
 use super::further_columns::further_column;
 use super::normal_equations::{Columns, NormalEquations, Sums, exact};
 use super::pose_lanes::{CableValues, PoseLanes};
@@ -104,8 +104,10 @@ impl Block {
 
     /// The cable's values where the block's parameters have these.
     pub(crate) fn at(&self, values: &[f64]) -> CableValues {
-        let change: Vec<f64> = values.iter().zip(self.values(&self.start)).map(|(to, from)| to - from).collect();
-        self.moved(&self.start, &change)
+        let mut change = [0.0; SLOTS + FURTHER];
+        let changes = values.iter().zip(self.values(&self.start)).map(|(to, from)| to - from);
+        change.iter_mut().zip(changes).for_each(|(target, change)| *target = change);
+        self.moved(&self.start, &change[..values.len()])
     }
 
     /// Current values of the block's parameters.

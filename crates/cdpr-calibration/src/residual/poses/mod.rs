@@ -130,7 +130,7 @@ impl Residual for PoseResidual<'_> {
     fn squares(&mut self, values: &[f64], unknowns: &Unknowns<'_>, is_exact: bool) -> Option<Vec<f64>> {
         let (at, squares) = self.squares.as_ref().filter(|_| !is_exact)?.of_samples()?;
         let is_there = |((at, to), scale): ((&f64, &f64), &f64)| ((at - to) * scale).abs() <= NEARBY;
-        at.iter().zip(values).zip(&unknowns.scale).all(is_there).then_some(squares)
+        at.iter().zip(values).zip(unknowns.scale.iter()).all(is_there).then_some(squares)
     }
 
     fn write(&mut self, values: &[f64], rows: &mut Rows) -> bool {
