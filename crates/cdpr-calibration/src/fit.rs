@@ -70,7 +70,8 @@ pub fn fit_observed(
     }
     let mut problem = Problem::new(model, samples, &parameters, settings)?;
     let optimum = problem.minimize(progress)?;
-    let suspicious = warnings::suspicious_units(model, samples);
+    let mut suspicious: Vec<String> = problem.missing_words().into_iter().collect();
+    suspicious.extend(warnings::suspicious_units(model, samples));
     let mut fit = report(&mut *problem.residual, &problem.unknowns, optimum, samples, suspicious)?;
     fit.tell_nominal_values(model);
     Ok(fit)

@@ -11,16 +11,21 @@ use crate::progress::Progress;
 use crate::residual::Residual;
 use crate::residual::entries::residual;
 use crate::residual::given::Given;
-use crate::residual::rows::Rows;
+use crate::residual::rows::{Missing, Rows};
 use crate::unit_scale::joint_scales;
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;
 use cdpr_model::robot::Parameter;
 
+/// One of so many samples may be left out of a fit since it has no prediction, and one in any case.
+const MOST_LEFT_OUT: usize = 10;
+
 /// Residuals at measured poses with the parameters that make them small.
 pub(crate) struct Problem<'a> {
     pub(crate) unknowns: Unknowns<'a>,
     pub(crate) residual: Box<dyn Residual + 'a>,
+    /// Samples that were left out of the optimum.
+    missing: Vec<Missing>,
 }
 
 impl<'a> Problem<'a> {
@@ -52,18 +57,40 @@ impl<'a> Problem<'a> {
             settings,
             mean_tension: tensions.iter().sum::<f64>() / tensions.len().max(1) as f64,
         };
-        Ok(Self { unknowns, residual })
+        Ok(Self { unknowns, residual, missing: Vec::new() })
     }
 
-    /// Finds the optimum; `progress` is called after each start.
+    /// Finds the optimum, without samples that have no prediction at the start values as long as these are few; `progress` is called after each start.
     pub(crate) fn minimize(&mut self, progress: &Progress<'_>) -> Result<Optimum, InputError> {
         let found = minimize(&mut *self.residual, &self.unknowns, None, progress);
-        found.map_err(|error| match self.residual.unpredicted() {
-            Some((sample, reason)) if error == InputError::NotFinite => {
-                InputError::NoPrediction { sample: sample + 1, reason }
-            }
-            _ => error,
-        })
+        let is_unpredicted = matches!(found, Err(InputError::NotFinite)) && self.residual.unpredicted().is_some();
+        if !is_unpredicted {
+            return found;
+        }
+        let samples = self.residual.layout().samples;
+        self.missing = self.residual.leave_out_missing(&self.unknowns.start);
+        let may_be_left_out = !self.missing.is_empty() && self.missing.len() <= (samples / MOST_LEFT_OUT).max(1);
+        let again = may_be_left_out.then(|| minimize(&mut *self.residual, &self.unknowns, None, progress));
+        let first = self.missing.first().map(|missing| (missing.sample, missing.reason.clone()));
+        match again.unwrap_or(Err(InputError::NotFinite)) {
+            Err(InputError::NotFinite) => match self.residual.unpredicted().or(first) {
+                Some((sample, reason)) => Err(InputError::NoPrediction { sample: sample + 1, reason }),
+                None => Err(InputError::NotFinite),
+            },
+            other => other,
+        }
+    }
+
+    /// Samples that were left out, in words; `None` without any.
+    pub(crate) fn missing_words(&self) -> Option<String> {
+        let first = self.missing.first()?;
+        Some(format!(
+            "{} of {} samples have no predicted pose at the values of the file and are left out of the fit; the first is sample {}: {}",
+            self.missing.len(),
+            self.residual.layout().samples,
+            first.sample + 1,
+            first.reason
+        ))
     }
 
     /// The model at parameter values.

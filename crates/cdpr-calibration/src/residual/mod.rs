@@ -33,7 +33,7 @@ use cdpr_model::solve::ROUNDING_GAIN;
 use group_rows::GroupRows;
 pub(crate) use metric::default_length;
 use pose_rows::RowBlock;
-use rows::{Layout, Rows};
+use rows::{Layout, Missing, Rows};
 
 /// Samples whose rows are told as outliers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -98,6 +98,11 @@ pub(crate) trait Residual {
         None
     }
 
+    /// Leaves the samples out that have no prediction at these values, and tells them; their rows say nothing from there on.
+    fn leave_out_missing(&mut self, _values: &[f64]) -> Vec<Missing> {
+        Vec::new()
+    }
+
     /// Rows that say something.
     fn informative_rows(&self) -> usize {
         self.layout().free_rows()
@@ -110,7 +115,7 @@ pub(crate) trait Residual {
 
     /// Places of the parameters that no row ties to those of other blocks.
     fn blocks(&self, parameters: usize) -> Vec<Range<usize>> {
-        vec![0..parameters]
+        std::iter::once(0..parameters).collect()
     }
 
     /// Writes Σ rᵀr, Jᵀr and JᵀJ of a block in a shorter way than by the rows; false where there is none.

@@ -2,7 +2,7 @@
 
 use super::given::Given;
 use super::poses::PoseResidual;
-use super::rows::{Layout, Rows};
+use super::rows::{Layout, Missing, Rows};
 use super::{Outliers, Residual};
 use crate::fit::{InputError, TaskBox};
 use cdpr_model::model::Model;
@@ -61,6 +61,14 @@ impl Residual for PoseInTask<'_> {
 
     fn unpredicted(&self) -> Option<(usize, String)> {
         self.poses.unpredicted()
+    }
+
+    fn leave_out_missing(&mut self, values: &[f64]) -> Vec<Missing> {
+        self.poses.leave_out_missing(values)
+    }
+
+    fn informative_rows(&self) -> usize {
+        self.poses.informative_rows()
     }
 
     fn outliers(&self) -> Option<Outliers> {

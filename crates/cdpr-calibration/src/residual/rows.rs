@@ -48,6 +48,14 @@ pub(crate) struct Rows {
     pub(crate) jacobian: DMatrix<f64>,
 }
 
+/// A sample without residuals.
+#[derive(Clone, Debug, PartialEq)]
+pub(crate) struct Missing {
+    /// From 0.
+    pub(crate) sample: usize,
+    pub(crate) reason: String,
+}
+
 impl Clone for Rows {
     fn clone(&self) -> Self {
         Self { residuals: self.residuals.clone(), jacobian: self.jacobian.clone(), ..*self }
@@ -105,6 +113,13 @@ impl Rows {
         let size = self.size();
         self.residuals.rows_mut(sample * size, size).scale_mut(factor);
         self.jacobian.rows_mut(sample * size, size).scale_mut(factor);
+    }
+
+    /// Writes the rows of a sample that is left out: it says nothing.
+    pub(crate) fn leave_out(&mut self, sample: usize) {
+        let size = self.size();
+        self.residuals.rows_mut(sample * size, size).fill(0.0);
+        self.jacobian.rows_mut(sample * size, size).fill(0.0);
     }
 
     /// True where every number is one.

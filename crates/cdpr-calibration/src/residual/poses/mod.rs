@@ -11,7 +11,7 @@ use nalgebra::{Matrix3, Matrix6, Vector6};
 
 use super::given::Given;
 use super::metric::{Metric, by_turn, position_sigma};
-use super::rows::{Layout, Rows};
+use super::rows::{Layout, Missing, Rows};
 use super::{Outliers, Residual};
 use crate::fit::InputError;
 use crate::minimize::dense::DenseEquations;
@@ -44,6 +44,8 @@ pub(super) struct PoseResidual<'a> {
     settings: ForwardSettings,
     /// Sample without a prediction, where one had none.
     unpredicted: Option<usize>,
+    /// Samples that are left out, since they have none where the fit begins.
+    left_out: Vec<bool>,
     /// Last parameters that have vectors, with these: searches begin and end where one was.
     written: Option<(Vec<f64>, Rows)>,
     /// The same squares in a shorter way, where predictions are plain.
@@ -70,6 +72,7 @@ impl<'a> PoseResidual<'a> {
             solutions: Solutions::default(),
             settings,
             unpredicted: None,
+            left_out: vec![false; samples.len()],
             written: None,
             squares,
         })
@@ -91,7 +94,9 @@ impl<'a> PoseResidual<'a> {
         }
         let problems = ForwardBatch { lengths: &self.lengths, guesses: &self.guesses, load: None, only_taut: false };
         model.forward_batch(&self.settings, &problems, state, &mut self.solutions).ok()?;
-        self.unpredicted = (0..self.samples.len()).find(|&sample| self.solutions.status(sample) != Status::Converged);
+        let is_missing =
+            |sample: &usize| self.solutions.status(*sample) != Status::Converged && !self.left_out[*sample];
+        self.unpredicted = (0..self.samples.len()).find(is_missing);
         self.unpredicted.is_none().then_some(())
     }
 }
@@ -150,18 +155,28 @@ impl Residual for PoseResidual<'_> {
         is_written
     }
 
-    /// Sample without a prediction (from 0) at the last parameters, with the reason.
     fn unpredicted(&self) -> Option<(usize, String)> {
         let sample = self.unpredicted?;
-        let mut lengths = vec![0.0; self.model.cable_count()];
-        self.lengths.read(sample, &mut lengths);
-        let (mut state, near) = (State::at_home(&self.model), &self.samples.poses[sample]);
-        let found = self.model.forward_with(&self.settings, &lengths, None, Some(near), &mut state);
-        let reason = match found {
-            Err(error) => error.to_string(),
-            Ok(solution) => solution.reason.clone().unwrap_or_else(|| "the forward problem has no solution".to_owned()),
-        };
-        Some((sample, reason))
+        Some((sample, self.reason(sample)))
+    }
+
+    fn leave_out_missing(&mut self, values: &[f64]) -> Vec<Missing> {
+        let Some(model) = self.model.with_parameters(self.parameters, values) else { return Vec::new() };
+        if self.predict(&model, &mut State::at_home(&model)).is_some() {
+            return Vec::new();
+        }
+        let is_missing = |sample: &usize| self.solutions.status(*sample) != Status::Converged;
+        let missing: Vec<Missing> = (0..self.samples.len())
+            .filter(is_missing)
+            .map(|sample| Missing { sample, reason: self.reason(sample) })
+            .collect();
+        missing.iter().for_each(|missing| self.left_out[missing.sample] = true);
+        missing
+    }
+
+    fn informative_rows(&self) -> usize {
+        let left_out = self.left_out.iter().filter(|left_out| **left_out).count();
+        self.layout().free_rows() - self.size() * left_out
     }
 }
 
@@ -181,12 +196,27 @@ impl PoseResidual<'_> {
         self.model.dof() + if self.metric.tension.is_some() { self.model.cable_count() } else { 0 }
     }
 
+    /// The reason for which a sample has no prediction where was predicted last.
+    fn reason(&self, sample: usize) -> String {
+        let mut lengths = vec![0.0; self.model.cable_count()];
+        self.lengths.read(sample, &mut lengths);
+        let (mut state, near) = (State::at_home(&self.model), &self.samples.poses[sample]);
+        match self.model.forward_with(&self.settings, &lengths, None, Some(near), &mut state) {
+            Err(error) => error.to_string(),
+            Ok(solution) => solution.reason.clone().unwrap_or_else(|| "the forward problem has no solution".to_owned()),
+        }
+    }
+
     fn try_write(&mut self, values: &[f64], rows: &mut Rows) -> Option<()> {
         let model = &self.model.with_parameters(self.parameters, values)?;
         let load = if model.needs_tensions() { Some(Load::of(model.robot()).ok()?) } else { None };
         self.predict(model, &mut State::at_home(model))?;
         let mut rest = Rest::new(model);
         for sample in 0..self.samples.len() {
+            if self.left_out[sample] {
+                rows.leave_out(sample);
+                continue;
+            }
             let pose = self.solutions.pose(sample);
             let recorded = Recorded::of(self.samples, sample);
             let tension = |cable: usize| match load {
