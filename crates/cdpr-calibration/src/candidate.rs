@@ -192,7 +192,7 @@ mod tests {
 
     #[test]
     fn platform_anchors_are_free_where_they_have_a_prior() {
-        let robot = Robot::builtin("cogiro").unwrap();
+        let robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
         let rungs = |platform_anchors| defaults(&robot, Ladder { with_tensions: true, platform_anchors });
         let freeing = |platform_anchors| -> Vec<String> {
             let rungs = rungs(platform_anchors).into_iter();
