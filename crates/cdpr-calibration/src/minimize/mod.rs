@@ -61,11 +61,13 @@ pub(crate) fn minimize(
     let (end, starts) = search.run(unknowns, from.unwrap_or(&unknowns.start), progress)?;
     let Search { residual, .. } = search;
     let found = Optimum { end, starts, norms: Norms::default(), certificate: None };
-    match unknowns.settings.minimize {
-        Minimize::Squares => squares(residual, unknowns, found),
-        Minimize::Mean => Ok(found),
-        Minimize::Max => largest(residual, unknowns, found),
-    }
+    let mut found = match unknowns.settings.minimize {
+        Minimize::Squares => squares(residual, unknowns, found)?,
+        Minimize::Mean => found,
+        Minimize::Max => largest(residual, unknowns, found)?,
+    };
+    unknowns.take_to_bounds(&mut found.end.values);
+    Ok(found)
 }
 
 /// Misfit where a descent ended, in units of the weights.

@@ -106,6 +106,17 @@ impl Unknowns<'_> {
         }
     }
 
+    /// Takes values that lie within rounding of a bound to it: trust regions come as near as numbers go, and never there.
+    pub(crate) fn take_to_bounds(&self, values: &mut [f64]) {
+        for ((value, start), parameter) in values.iter_mut().zip(self.start.iter()).zip(self.parameters) {
+            let (low, high) = parameter.bounds();
+            let is_at = |bound: f64| (*value - bound).abs() <= f64::EPSILON * bound.abs().max(start.abs());
+            if let Some(bound) = [low, high].into_iter().find(|bound| bound.is_finite() && is_at(*bound)) {
+                *value = bound;
+            }
+        }
+    }
+
     /// Surroundings of a descent; `ends_ahead` where it may end before a step that only rounding is left behind.
     pub(crate) fn around(&self, ends_ahead: bool) -> Around<'_> {
         let Settings { minimizer, keeps_course, .. } = *self.settings;
