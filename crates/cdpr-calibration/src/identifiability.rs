@@ -10,7 +10,7 @@ use super::fit::{Settings, prior_sigma};
 use super::minimize::unknowns::Unknowns;
 use super::noise::Noise;
 use super::norms::Norms;
-use super::residual::group_rows::GroupRows;
+use super::residual::rows::GroupRows;
 use super::words::{Direction, describe};
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;

@@ -4,8 +4,8 @@ use nalgebra::{DMatrix, DVector};
 
 use super::fit::{InputError, RowWeights, Settings};
 use super::problem::Problem;
+use super::residual::Given;
 use super::residual::entries::{RowNoise, length_rows};
-use super::residual::given::Given;
 use super::residual::rows::Rows;
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;

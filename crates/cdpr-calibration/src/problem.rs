@@ -1,5 +1,8 @@
 //! An estimation problem: residuals of samples, free parameters with their priors and bounds, and the cost to make small.
 
+#[cfg(test)]
+mod tests;
+
 use crate::fit::{InputError, Settings};
 use crate::loss::Loss;
 use crate::minimize::cost::write_squares;
@@ -8,9 +11,9 @@ use crate::minimize::unknowns::Unknowns;
 use crate::minimize::{Optimum, minimize};
 use crate::objective::Minimize;
 use crate::progress::Progress;
+use crate::residual::Given;
 use crate::residual::Residual;
 use crate::residual::entries::residual;
-use crate::residual::given::Given;
 use crate::residual::rows::{Missing, Rows};
 use crate::unit_scale::joint_scales;
 use cdpr_model::measurement::Samples;

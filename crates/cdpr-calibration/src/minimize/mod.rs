@@ -1,7 +1,6 @@
 //! The optimum of residuals: from several starts, block by block, with weights that agree with it, under any cost.
 
 mod bends;
-mod block;
 pub(crate) mod certificate;
 pub(crate) mod cost;
 pub(crate) mod dense;
@@ -22,9 +21,8 @@ use crate::progress::Progress;
 use crate::residual::rows::Rows;
 use crate::residual::{Latent, Residual};
 use crate::stopping::{StoppedBy, StoppingRule};
-use block::descend_in;
 use certificate::Certificate;
-use cost::Cost;
+use cost::{Cost, descend_in};
 use dense::DenseEquations;
 use descent::{End, System};
 use starts::{Ending, Landscape, Part, Starts};

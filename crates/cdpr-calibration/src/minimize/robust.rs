@@ -1,6 +1,6 @@
 //! The optimum of residuals under a robust loss: one weight a sample.
 
-use super::block::descend_in;
+use super::cost::descend_in;
 use super::descent::End;
 use super::unknowns::{Pace, Shape, Unknowns};
 use crate::fit::InputError;

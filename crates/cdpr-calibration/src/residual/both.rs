@@ -6,7 +6,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::given::Given;
+use super::Given;
 use super::lengths::LengthRows;
 use super::metric::{Metric, by_turn};
 use super::rows::{Layout, Rows};

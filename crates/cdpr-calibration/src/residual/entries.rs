@@ -1,10 +1,10 @@
 //! The objectives of an identification at measured poses: one entry each.
 
+use super::Given;
 use super::Residual;
 use super::balance::BalanceResidual;
 use super::balance::start::checked_start;
 use super::both::UnknownPoses;
-use super::given::Given;
 use super::lengths::{EvenLengths, LengthResidual};
 use super::pose_in_task::PoseInTask;
 use super::poses::PoseResidual;

@@ -3,24 +3,21 @@
 pub(crate) mod balance;
 mod both;
 pub(crate) mod entries;
-pub(crate) mod given;
-pub(crate) mod group_rows;
 pub(crate) mod length_errors;
 pub(crate) mod lengths;
 mod metric;
 mod pose_in_task;
-pub(crate) mod pose_rows;
 pub(crate) mod poseless;
 mod poses;
 pub(crate) mod rows;
 pub(crate) mod sensors;
 #[cfg(test)]
-mod tests;
+pub(crate) mod tests;
 
 use std::ops::Range;
 
-use crate::fit::InputError;
 use crate::fit::answer::Estimate;
+use crate::fit::{InputError, Settings};
 use crate::identifiability::Analysis;
 use crate::loss::RobustLoss;
 use crate::minimize::dense::DenseEquations;
@@ -28,14 +25,25 @@ use crate::minimize::descent::End;
 use crate::minimize::unknowns::{Pace, Unknowns};
 use crate::norms::Norms;
 use cdpr_model::geometry::Pose;
+use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;
+use cdpr_model::robot::Parameter;
 use cdpr_model::solve::ROUNDING_GAIN;
-use group_rows::GroupRows;
 pub(crate) use metric::default_length;
-use pose_rows::RowBlock;
-use rows::{Layout, Missing, Rows};
+use rows::{GroupRows, Layout, Missing, RowBlock, Rows};
 
-/// Samples whose rows are told as outliers.
+/// Model, samples and settings that residuals are made of.
+#[derive(Clone, Copy)]
+pub(crate) struct Given<'a, 'm> {
+    /// The model before the fit, with the load that its parameters need.
+    pub(crate) model: &'m Model,
+    pub(crate) samples: &'a Samples,
+    /// The free parameters, ordered by cable.
+    pub(crate) parameters: &'a [Parameter],
+    pub(crate) settings: &'a Settings,
+}
+
+/// Which samples are named as outliers.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum Outliers {
     /// Those beyond the limit at the optimum.
@@ -98,7 +106,7 @@ pub(crate) trait Residual {
         None
     }
 
-    /// Leaves the samples out that have no prediction at these values, and tells them; their rows say nothing from there on.
+    /// Leaves out the samples without a prediction at these values and returns them; their rows are zero from then on.
     fn leave_out_missing(&mut self, _values: &[f64]) -> Vec<Missing> {
         Vec::new()
     }
@@ -128,7 +136,7 @@ pub(crate) trait Residual {
         None
     }
 
-    /// ‖r‖² of every sample at these values, or, if they need not be exact, so near them that no outlier is told apart; `None` if only the rows tell.
+    /// ‖r‖² of every sample at these values, or, unless they must be exact, within a micrometre of them; `None` if they follow from the rows alone.
     fn squares(&mut self, _values: &[f64], _unknowns: &Unknowns<'_>, _is_exact: bool) -> Option<Vec<f64>> {
         None
     }

@@ -1,6 +1,6 @@
 //! Residuals of predicted poses that count where a task is.
 
-use super::given::Given;
+use super::Given;
 use super::poses::PoseResidual;
 use super::rows::{Layout, Missing, Rows};
 use super::{Outliers, Residual};
@@ -50,7 +50,7 @@ impl Residual for PoseInTask<'_> {
         is_written
     }
 
-    /// Never: weights are wishes, and the size of the residuals tells the noise.
+    /// Returns false for any samples: the weights are chosen, and the residuals give the size of the noise.
     fn is_absolute(&self) -> bool {
         false
     }

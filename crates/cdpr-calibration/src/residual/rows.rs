@@ -1,6 +1,11 @@
-//! Residuals of samples with their derivatives: what every loss of an objective is made of.
+//! Residuals of samples with their derivatives: what every loss of an objective is made of, and how analyses and frames take them.
+
+use std::ops::Range;
 
 use nalgebra::{DMatrix, DVector};
+
+use cdpr_model::geometry::{Pose, Wrench};
+use cdpr_model::scalar::TriangularFactor;
 
 /// Number of the rows of all samples, and of what is eliminated from them.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -128,4 +133,64 @@ impl Rows {
         let are_finite = |numbers: &[f64]| numbers.iter().fold(true, |all, number| all & number.is_finite());
         are_finite(self.residuals.as_slice()) && are_finite(self.jacobian.as_slice())
     }
+}
+
+/// Rows of one block of parameters.
+#[derive(Clone, Debug)]
+pub(crate) struct GroupRows {
+    /// Places of the parameters.
+    pub(crate) parameters: Range<usize>,
+    /// Cables that they belong to.
+    pub(crate) cables: Range<usize>,
+    /// Number of rows.
+    pub(crate) count: usize,
+    /// Jacobian of the data in SI units.
+    pub(crate) plain: TriangularFactor,
+    /// Directions that no data tell and a convention fixes: they are no part of condition and rank.
+    pub(crate) conventions: usize,
+    /// Jacobian in units of the rows' noise.
+    pub(crate) weighted: TriangularFactor,
+    /// Residuals in these units, one series over the samples for each row of a sample.
+    pub(crate) series: Vec<Vec<f64>>,
+}
+
+impl GroupRows {
+    /// All rows in one group, in units of so many metres.
+    pub(crate) fn of(rows: &Rows, cables: usize, unit: Option<f64>) -> Self {
+        Self {
+            parameters: 0..rows.jacobian.ncols(),
+            cables: 0..cables,
+            count: rows.jacobian.nrows(),
+            plain: TriangularFactor::of(&(rows.jacobian.rows(0, rows.layout.data) * unit.unwrap_or(1.0))),
+            conventions: rows.layout.conventions,
+            weighted: TriangularFactor::of(&rows.jacobian),
+            series: rows.series(),
+        }
+    }
+}
+
+/// Whitened rows that share parameters.
+pub(crate) struct RowBlock {
+    /// Places of the parameters in the list of all.
+    pub(crate) parameters: Vec<usize>,
+    /// Rows by these parameters.
+    pub(crate) by_parameters: DMatrix<f64>,
+    /// Rows by the motion of the platform along the degrees of freedom of the pattern.
+    pub(crate) by_pose: DMatrix<f64>,
+    pub(crate) residuals: DVector<f64>,
+    /// Rows of one sample, which follow each other.
+    pub(crate) rows_of_sample: usize,
+    /// Poses at which the rows hold: the measured ones, or where the model and they agree best.
+    pub(crate) poses: Vec<Pose>,
+    /// Wrenches among the rows.
+    pub(crate) wrenches: Option<Wrenches>,
+}
+
+/// Wrenches that the rows of a sample balance, for the part of a row's change that only its axes make: a motion of everything together turns them,
+/// or moves the point that they are about, and changes no balance.
+pub(crate) struct Wrenches {
+    /// Imbalance of each sample (world, about the platform's origin).
+    pub(crate) residuals: Vec<Wrench>,
+    /// Whitened rows by wrenches along the degrees of freedom of the pattern.
+    pub(crate) whitened: DMatrix<f64>,
 }

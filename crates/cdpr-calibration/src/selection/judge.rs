@@ -66,7 +66,7 @@ impl Problem<'_> {
         })
     }
 
-    /// Judges the candidate at a place of the list; `richest` tells which samples are outliers.
+    /// Returns the judgement of a candidate (`place`: its index); only outliers of `richest` are named.
     pub(super) fn judge(
         &self,
         candidate: &Candidate,
@@ -84,13 +84,13 @@ impl Problem<'_> {
                 own.fit.clone()
             }
             Some(other) => {
-                let mut fit = self.fit_to(&model, candidate, (&part, other.loss(asked)))?;
+                let mut fit = self.fit_to(&model, candidate, &part, other.loss(asked))?;
                 if asked != Loss::Squared {
                     fit.keep_outliers(&other.fit);
                 }
                 fit
             }
-            None => self.fit_to(&model, candidate, (&part, asked))?,
+            None => self.fit_to(&model, candidate, &part, asked)?,
         };
         let train = samples.subset(&part);
         let train = reported.as_fitted(&train).subset(&reported.trusted_samples(train.len()));
@@ -101,7 +101,7 @@ impl Problem<'_> {
         for fold in folds {
             let own = match folds.len() {
                 1 => None,
-                _ => Some(self.fit_to(&model, candidate, (&fold.train, reported.loss))?),
+                _ => Some(self.fit_to(&model, candidate, &fold.train, reported.loss)?),
             };
             errors.extend(&held_out_errors(own.as_ref().unwrap_or(&reported), samples, &fold.validation)?);
             validation_samples.extend(&fold.validation);
@@ -111,12 +111,7 @@ impl Problem<'_> {
         Ok(Judgement { region_errors, ..Judgement::new(reported, train, errors, validation_samples, fold_sizes) })
     }
 
-    fn fit_to(
-        &self,
-        model: &Model,
-        candidate: &Candidate,
-        (part, loss): (&[usize], Loss),
-    ) -> Result<Fit, fit::InputError> {
+    fn fit_to(&self, model: &Model, candidate: &Candidate, part: &[usize], loss: Loss) -> Result<Fit, fit::InputError> {
         let fitted = self.fit_silently(model, candidate, part, loss);
         self.progress.report()?;
         fitted
@@ -144,7 +139,7 @@ impl Problem<'_> {
     ) -> Result<Option<Evaluation>, CandidateFailure> {
         let mut errors = Evaluation::default();
         for region in self.regions {
-            let fitted = self.fit_to(model, candidate, (&region.train, loss))?;
+            let fitted = self.fit_to(model, candidate, &region.train, loss)?;
             errors.extend(&held_out_errors(&fitted, self.samples, &region.validation)?);
         }
         Ok((!self.regions.is_empty()).then_some(errors))

@@ -28,8 +28,8 @@ pub(crate) struct ObjectiveArguments {
     #[arg(long, value_name = "METRES", value_parser = positive_length)]
     rotation_length: Option<f64>,
 
-    /// Study whose table `[task]` (`min`, `max`: a box of positions in metres) tells where poses count fully with `--objective pose-in-task`; they
-    /// count a tenth from a tenth of its diagonal off on.
+    /// Study with a table `[task]` (`min`, `max`: a box of positions in metres): with `--objective pose-in-task` squares of poses in the box have
+    /// weight 1, falling to 0.1 over a tenth of its diagonal.
     #[arg(long, value_name = "STUDY.toml", value_parser = task_of)]
     task: Option<TaskFile>,
 }

@@ -103,7 +103,7 @@ fn a_displaced_row_is_named_beside_every_objective() {
     }
 }
 
-/// A task without a box, and the objective without a task, are told how to be mended; with one the errors of poses in it are smaller than by all poses alike.
+/// The objective needs `--task` with a table `[task]` that is a box; with one the mean error over all poses is larger than by `--objective pose`.
 #[test]
 fn poses_count_where_the_task_of_a_study_is() {
     let (folder, wide) = recorded();

@@ -58,7 +58,7 @@ impl StudyAnswer {
 
 /// Statistics of one kind of error.
 pub(crate) struct ErrorRow {
-    /// Name of the kind.
+    /// Word of this kind in JSON.
     pub(crate) name: &'static str,
     /// Unit for people.
     pub(crate) unit: &'static str,

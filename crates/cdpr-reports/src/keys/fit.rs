@@ -119,7 +119,7 @@ struct EstimatesKeys {
     history: Vec<f64>,
 }
 
-/// Fit with its loss and all that was found beside the parameters, as a candidate tells it.
+/// Keys of a fit in the list of candidates: loss, starts, outliers, frames and clock.
 #[derive(Serialize, JsonSchema)]
 #[serde(remote = "Fit")]
 #[schemars(rename = "CandidateFit")]
@@ -201,7 +201,7 @@ tables!(
 keys! {
     /// Two parameters that the data hardly separate.
     CorrelationKeys of Correlation { first, second, coefficient }
-    /// Parameters that are told apart badly, and the width of intervals.
+    /// Strongly correlated parameters, and the half width of 95 % intervals.
     SeparationKeys of Analysis { correlations by Each<CorrelationKeys>, quantile_95 }
     /// End of a search by a rule.
     StoppedByKeys of StoppedBy { rule, value, limit }

@@ -5,7 +5,7 @@ use nalgebra::{DMatrix, DVector};
 use super::directions::{Directions, is_anchor};
 use super::rows::Fitted;
 use crate::fit::checks::is_at_bound;
-use crate::residual::pose_rows::RowBlock;
+use crate::residual::rows::RowBlock;
 use cdpr_model::geometry::Twist;
 use cdpr_model::robot::Parameter;
 use cdpr_model::scalar::decomposition::svd;

@@ -4,7 +4,7 @@ use crate::fit::{InputError, Settings};
 use crate::identifiability::prior_weights;
 use crate::problem::Problem;
 use crate::progress::unobserved;
-use crate::residual::pose_rows::RowBlock;
+use crate::residual::rows::RowBlock;
 use cdpr_model::geometry::Twist;
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::{Model, RecordingParameter};

@@ -4,7 +4,7 @@ use super::BalanceResidual;
 use super::noise::SLACK_SIGMA;
 use super::rows::{RowModel, SampleRows, first_columns};
 use crate::fit::InputError;
-use crate::residual::group_rows::GroupRows;
+use crate::residual::rows::GroupRows;
 use cdpr_model::model::Model;
 use cdpr_model::scalar::TriangularFactor;
 use cdpr_model::statics::Load;

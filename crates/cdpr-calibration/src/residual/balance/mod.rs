@@ -19,9 +19,9 @@ pub(crate) mod start;
 #[cfg(test)]
 mod tests;
 
-use super::given::Given;
-use super::group_rows::GroupRows;
-use super::pose_rows::RowBlock;
+use super::Given;
+use super::rows::GroupRows;
+use super::rows::RowBlock;
 use super::rows::{Layout, Rows};
 use super::{Outliers, Remarks, Residual, Weighing};
 use crate::fit::answer::Estimate;
@@ -43,7 +43,7 @@ use noise::Sigmas;
 use rows::{RowModel, SampleRows};
 use start::checked_tensions;
 
-/// Share of the cost that the next step may still promise where optima of several starts are told apart.
+/// Reduction promised by the next step, as a fraction of the cost, at which a descent ends if there are several starts to compare.
 const SEARCH_PROMISE: f64 = 1e-9;
 /// The same when a descent stops near the optimum, near enough to go on with corrections.
 const NEAR_PROMISE: f64 = 1e-1;

@@ -9,7 +9,7 @@ use super::normal::whiten;
 use super::rows::{RowModel, SampleRows};
 use crate::fit::InputError;
 use crate::norms::Norms;
-use crate::residual::pose_rows::{RowBlock, Wrenches};
+use crate::residual::rows::{RowBlock, Wrenches};
 use cdpr_model::geometry::Wrench;
 use cdpr_model::model::Model;
 use cdpr_model::statics::Load;

@@ -18,9 +18,9 @@ use std::ops::Range;
 
 use nalgebra::{DMatrix, DVector};
 
-use super::given::Given;
-use super::group_rows::GroupRows;
-use super::pose_rows::RowBlock;
+use super::Given;
+use super::rows::GroupRows;
+use super::rows::RowBlock;
 use super::rows::{Layout, Rows};
 use super::{Outliers, Remarks, Residual, Weighing};
 use crate::fit::InputError;

@@ -9,7 +9,7 @@ mod squares;
 
 use nalgebra::{Matrix3, Matrix6, Vector6};
 
-use super::given::Given;
+use super::Given;
 use super::metric::{Metric, by_turn, position_sigma};
 use super::rows::{Layout, Missing, Rows};
 use super::{Outliers, Residual};
@@ -27,7 +27,7 @@ use cdpr_model::scalar::LaneTable;
 use cdpr_model::statics::{Load, cable_state_at_outlet, unit_spring_state};
 use squares::PoseSquares;
 
-/// Move of parameters that no outlier is told apart by (m).
+/// Distance between parameter values within which norms of samples count as the same (m).
 const NEARBY: f64 = 1e-6;
 
 /// Errors of predicted poses, in the units of a metric: n a sample, with the m of the tensions n + m.
