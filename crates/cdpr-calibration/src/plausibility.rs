@@ -106,7 +106,7 @@ mod tests {
             let errors = ErrorBlocks { answered, not_converged: 9 - answered, ..Evaluation::default().blocks() };
             distrust(robot, &SensorSigmas::default(), &errors)
         };
-        assert!(of(&robot, 1).reasons[0].words.contains("of 1 of 9 samples"));
+        assert!(of(&robot, 1).reasons[0].words().contains("of 1 of 9 samples"));
         assert_eq!(of(&robot, 0).reasons[0].kind, DoubtKind::FewPoses);
         assert_eq!(of(&robot, 5), Distrust::default());
         // one cable leaves a plane open, whatever it says
@@ -123,7 +123,7 @@ mod tests {
         errors.length_error_m.rms = 2.6e-3;
         let of = |length: Option<f64>| distrust(&robot, &SensorSigmas { length, ..SensorSigmas::default() }, &errors);
         assert_eq!(of(Some(5e-4)).reasons[0].kind, DoubtKind::BeyondAccuracy);
-        assert!(of(Some(5e-4)).reasons[0].words.contains("5.20 times"), "{:?}", of(Some(5e-4)));
+        assert!(of(Some(5e-4)).reasons[0].words().contains("5.20 times"), "{:?}", of(Some(5e-4)));
         assert_eq!([of(Some(6e-4)), of(Some(0.0)), of(None)], [(); 3].map(|()| Distrust::default()));
     }
 }

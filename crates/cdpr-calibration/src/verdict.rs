@@ -1,5 +1,7 @@
 //! How far an answer may be relied on: one word for text, JSON, page, written file and exit code.
 
+use cdpr_model::finding::{Finding, FindingKind, Severity};
+
 /// How far an answer may be relied on, from best to worst; the worst that any of its doubts makes of it counts.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Verdict {
@@ -37,8 +39,8 @@ pub enum DoubtKind {
     OutliersCounted,
     /// Outliers that count less or not at all.
     OutliersLeftOut,
-    /// Data that look like a mix-up of columns, units or frames.
-    Data,
+    /// What data, numbers or statics deny; the finding says how much it weighs.
+    Found(Severity),
     /// Poses that need the frame of a tracker or a marker.
     Frames,
     /// Candidates compared on a part of the validation data.
@@ -71,8 +73,10 @@ impl DoubtKind {
                 Verdict::NotTrusted
             }
             Self::NotIdentifiable => Verdict::NotIdentifiable,
-            Self::OutliersLeftOut
-            | Self::Data
+            Self::Found(Severity::Remark) => Verdict::Sound,
+            Self::Found(Severity::Distrust) => Verdict::NotTrusted,
+            Self::Found(Severity::Caution)
+            | Self::OutliersLeftOut
             | Self::Frames
             | Self::PartlyCompared
             | Self::Starts
@@ -86,19 +90,61 @@ impl DoubtKind {
     }
 }
 
+impl DoubtKind {
+    /// The kind of finding that a doubt is told as.
+    const fn finding(self) -> FindingKind {
+        match self {
+            Self::NotConverged | Self::NotPredictive | Self::Starts => FindingKind::Unsettled,
+            Self::NotIdentifiable | Self::WeakDirection => FindingKind::WeakDirection,
+            Self::OutliersCounted | Self::OutliersLeftOut => FindingKind::Outlier,
+            Self::Frames => FindingKind::Frame,
+            Self::PartlyCompared => FindingKind::Coverage,
+            Self::Bound => FindingKind::Bound,
+            Self::Prior => FindingKind::Anchor,
+            Self::UnknownStiffness => FindingKind::Stiffness,
+            Self::FewPoses
+            | Self::Gross
+            | Self::BeyondAccuracy
+            | Self::WorseThanGiven
+            | Self::Law
+            | Self::NoPolynomial
+            | Self::Found(_) => FindingKind::LackOfFit,
+        }
+    }
+
+    const fn severity(self) -> Severity {
+        match self.verdict() {
+            Verdict::Sound => Severity::Remark,
+            Verdict::WithCaution => Severity::Caution,
+            _ => Severity::Distrust,
+        }
+    }
+}
+
 /// A reason to doubt an answer.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Doubt {
     /// Its kind, which says how much it weighs.
     pub kind: DoubtKind,
-    /// The reason in a sentence.
-    pub words: String,
+    /// The reason in a sentence, with its place and its numbers.
+    pub finding: Finding,
 }
 
 impl Doubt {
     /// A doubt of a kind in words.
     pub fn new(kind: DoubtKind, words: impl Into<String>) -> Self {
-        Self { kind, words: words.into() }
+        Self { kind, finding: Finding::new(kind.finding(), kind.severity(), words) }
+    }
+
+    /// The reason in a sentence.
+    pub fn words(&self) -> &str {
+        &self.finding.text
+    }
+}
+
+impl From<Finding> for Doubt {
+    fn from(finding: Finding) -> Self {
+        Self { kind: DoubtKind::Found(finding.severity), finding }
     }
 }
 

@@ -4,8 +4,9 @@ use std::cell::RefCell;
 use std::io;
 use std::process::ExitCode;
 
+use cdpr_calibration::Doubt;
 use cdpr_calibration::selection::Warnings;
-use cdpr_calibration::{Doubt, DoubtKind};
+use cdpr_model::finding::Finding;
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 
@@ -54,7 +55,7 @@ pub(crate) struct Output<'a> {
     /// Remarks told so far that are not part of the answer.
     remarks: RefCell<Vec<String>>,
     /// Those of them that doubt whatever the answer will be.
-    doubts: RefCell<Vec<String>>,
+    doubts: RefCell<Vec<Doubt>>,
 }
 
 impl<'a> Output<'a> {
@@ -111,21 +112,20 @@ impl<'a> Output<'a> {
     }
 
     /// Tells a reason to doubt the answer, which the answer repeats before all else.
-    pub(crate) fn doubt(&self, text: &str) {
-        self.remark(text);
-        self.doubts.borrow_mut().push(text.to_owned());
+    pub(crate) fn doubt(&self, finding: &Finding) {
+        self.remark(&finding.text);
+        self.doubts.borrow_mut().push(finding.clone().into());
     }
 
     /// The doubts told so far.
     pub(crate) fn doubts(&self) -> Warnings {
-        let doubt = |words: &String| Doubt::new(DoubtKind::Data, words);
-        Warnings { doubts: self.doubts.borrow().iter().map(doubt).collect(), remarks: Vec::new() }
+        Warnings { doubts: self.doubts.borrow().clone(), remarks: Vec::new() }
     }
 
     /// The doubts and then the remarks told so far.
     pub(crate) fn warnings(&self) -> Warnings {
         let mut remarks = self.remarks();
-        remarks.retain(|remark| !self.doubts.borrow().contains(remark));
+        remarks.retain(|remark| self.doubts.borrow().iter().all(|doubt| doubt.words() != remark));
         Warnings { remarks, ..self.doubts() }
     }
 

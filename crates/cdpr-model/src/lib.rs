@@ -15,6 +15,7 @@ pub mod compensation;
 pub mod control;
 pub mod equilibrium;
 mod error_code;
+pub mod finding;
 pub mod geometry;
 pub mod measurement;
 pub mod model;

@@ -41,6 +41,8 @@ pub use cdpr_model::equilibrium::distribution::Distribution;
 #[doc(inline)]
 pub use cdpr_model::equilibrium::{Solution, State, Status};
 #[doc(inline)]
+pub use cdpr_model::finding::{Finding, FindingKind, Severity};
+#[doc(inline)]
 pub use cdpr_model::geometry::{Pose, Twist, Wrench};
 #[doc(inline)]
 pub use cdpr_model::measurement::Samples;

@@ -17,7 +17,7 @@ impl Fit {
     pub fn cautions(&self) -> Vec<String> {
         let count = self.outliers.len();
         let outliers = (count > 0).then(|| format!("{count} of its samples lie beyond 8 robust standard deviations"));
-        outliers.into_iter().chain(self.doubts().into_iter().map(|doubt| doubt.words)).collect()
+        outliers.into_iter().chain(self.doubts().into_iter().map(|doubt| doubt.finding.text)).collect()
     }
 
     /// Doubt about the outliers.

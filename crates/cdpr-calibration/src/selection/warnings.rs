@@ -1,7 +1,5 @@
 //! Everything a reader has to know before using a choice: the one list that text, JSON and page tell.
 
-use serde::{Serialize, Serializer};
-
 use super::{Judgement, Selection, worse};
 use crate::evaluation::ErrorBlocks;
 use crate::fit::{Estimate, Fit, Prior};
@@ -22,19 +20,12 @@ pub struct Warnings {
 impl Warnings {
     /// All of them in words.
     pub fn list(&self) -> Vec<String> {
-        self.doubts.iter().map(|doubt| &doubt.words).chain(&self.remarks).cloned().collect()
+        self.doubts.iter().map(|doubt| &doubt.finding.text).chain(&self.remarks).cloned().collect()
     }
 
     /// Adds a doubt, behind those that are there.
     pub fn doubt(&mut self, kind: DoubtKind, words: Option<String>) {
         self.doubts.extend(words.map(|words| Doubt::new(kind, words)));
-    }
-}
-
-impl Serialize for Warnings {
-    /// The list of sentences.
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.list())
     }
 }
 
@@ -67,7 +58,7 @@ impl Fit {
         doubts.extend(worse.map(|words| Doubt::new(DoubtKind::WorseThanGiven, words)));
         let mut remarks: Vec<String> = Vec::new();
         for remark in of_data.remarks.iter().chain(&self.warnings) {
-            if !remarks.contains(remark) && doubts.iter().all(|doubt| doubt.words != *remark) {
+            if !remarks.contains(remark) && doubts.iter().all(|doubt| doubt.words() != remark) {
                 remarks.push(remark.clone());
             }
         }

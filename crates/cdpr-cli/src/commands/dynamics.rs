@@ -12,6 +12,7 @@ use crate::inputs::{ModelArguments, PoseArgument, load_of, twist_of};
 use crate::numbers::NumberList;
 use crate::statics_failure::refused;
 use crate::tension_choice::{Chosen, tensions_of};
+use cdpr_model::finding::{Finding, FindingKind, Severity};
 use cdpr_reports::answers::{DynamicsAnswer, needed_wrench, placeholder_words};
 
 const EXAMPLES: &str = "\
@@ -61,7 +62,9 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let twist = twist_of(robot, "--twist", arguments.twist.as_ref())?;
     let load = load_of(robot, arguments.wrench.as_ref())?;
     let body = Body::of(robot).map_err(|error| Failure::refused("ROBOT", &error))?;
-    placeholder_words(robot, &body).iter().for_each(|words| output.doubt(words));
+    placeholder_words(robot, &body)
+        .into_iter()
+        .for_each(|words| output.doubt(&Finding::new(FindingKind::Load, Severity::Caution, words)));
     let inertia = Inertia::new(&model, body);
     let answer = if let Some(lengths) = &arguments.lengths {
         let plant = Plant::new(model, Winches::Ideal).map_err(|error| Failure::refused("ROBOT", &error))?;

@@ -16,8 +16,9 @@ mod values;
 
 use super::Samples;
 use super::columns::Quantity;
-use super::magnitudes::{self, Finding};
+use super::magnitudes::{self, UnitVerdict};
 use super::mix_ups;
+use crate::finding::Finding;
 use crate::geometry::Pose;
 use crate::reading::{ReadError, table_text};
 use crate::robot::Robot;
@@ -36,7 +37,7 @@ pub struct Reading {
     pub notices: Vec<String>,
     /// The mistake of recording that explains a disagreement of poses and lengths, in words; a reason to doubt all
     /// results.
-    pub mix_up: Option<String>,
+    pub mix_up: Option<Finding>,
 }
 
 /// A measurement file in memory, with the options of reading.
@@ -221,13 +222,13 @@ impl CsvFile<'_> {
         let (rows, mut mix_up) = (samples.len() + skipped.count(), None);
         if samples.motor_angles.is_none() {
             match magnitudes::judge(self.robot, &samples, &angles) {
-                Finding::Wrong { quantity, message, help } => {
+                UnitVerdict::Wrong { quantity, message, help } => {
                     return Err(self.column_error(&format.columns, quantity, message).with_help(help));
                 }
-                Finding::Doubtful(words) => notices.push(format!("{}: {words}", self.file_name)),
-                Finding::Plausible => {
+                UnitVerdict::Doubtful(words) => notices.push(format!("{}: {words}", self.file_name)),
+                UnitVerdict::Plausible => {
                     mix_up = mix_ups::found(self.robot, &samples, &angles)
-                        .map(|words| format!("{}: {words}", self.file_name));
+                        .map(|found| Finding { text: format!("{}: {}", self.file_name, found.text), ..found });
                 }
             }
         }

@@ -24,7 +24,7 @@ const FARTHEST: f64 = 50.0;
 
 /// Verdict of the numbers on their units.
 #[derive(Debug, PartialEq)]
-pub(super) enum Finding {
+pub(super) enum UnitVerdict {
     /// The units are plausible.
     Plausible,
     /// Another reading fits better, but is not certain.
@@ -118,7 +118,7 @@ const ALTERNATIVES: &[Alternative] = &[
 ];
 
 /// Compares the samples with the robot; `angles` are those of the file (rad), empty if it has none.
-pub(super) fn judge(robot: &Robot, samples: &Samples, angles: &[[f64; 3]]) -> Finding {
+pub(super) fn judge(robot: &Robot, samples: &Samples, angles: &[[f64; 3]]) -> UnitVerdict {
     let comparison = Comparison { robot, samples, angles };
     let as_written = comparison.misfit(&lengths(1.0, 1.0, "", ""));
     let best = ALTERNATIVES
@@ -126,10 +126,10 @@ pub(super) fn judge(robot: &Robot, samples: &Samples, angles: &[[f64; 3]]) -> Fi
         .filter(|alternative| comparison.is_possible(alternative))
         .map(|alternative| (comparison.misfit(alternative), alternative))
         .min_by(|one, other| one.0.total_cmp(&other.0));
-    let Some((misfit, alternative)) = best else { return Finding::Plausible };
+    let Some((misfit, alternative)) = best else { return UnitVerdict::Plausible };
     let typical = comparison.typical_length(alternative);
     if as_written <= IGNORED_SHARE * typical || misfit.is_nan() || misfit > DOUBTFUL * as_written {
-        return Finding::Plausible;
+        return UnitVerdict::Plausible;
     }
     let words = format!(
         "{} (misfit {} m as written, {} m otherwise)",
@@ -138,10 +138,10 @@ pub(super) fn judge(robot: &Robot, samples: &Samples, angles: &[[f64; 3]]) -> Fi
         three_digits(misfit)
     );
     if misfit > CERTAIN * as_written {
-        return Finding::Doubtful(words);
+        return UnitVerdict::Doubtful(words);
     }
     let help = alternative.help.replace("{positions_mm}", &position_columns(robot, "mm").join(", "));
-    Finding::Wrong { quantity: alternative.quantity, message: words, help }
+    UnitVerdict::Wrong { quantity: alternative.quantity, message: words, help }
 }
 
 /// The largest length or coordinate possible for this robot (m); infinite if its frame anchors coincide.

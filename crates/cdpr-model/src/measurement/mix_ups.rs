@@ -15,6 +15,7 @@ use data::{Data, left_of};
 
 use super::Samples;
 use super::three_digits;
+use crate::finding::{Finding, FindingKind, Severity};
 use crate::geometry::Pose;
 use crate::robot::Robot;
 
@@ -34,7 +35,7 @@ const FEWEST: usize = 6;
 
 /// The mix-up that explains the misfit of poses and lengths, in words; `None` without one. `angles` are those of the
 /// file (rad), empty if it has none.
-pub(super) fn found(robot: &Robot, samples: &Samples, angles: &[[f64; 3]]) -> Option<String> {
+pub(super) fn found(robot: &Robot, samples: &Samples, angles: &[[f64; 3]]) -> Option<Finding> {
     let data = Data::of(robot, samples, angles);
     if data.poses.len() < FEWEST {
         return None;
@@ -44,26 +45,29 @@ pub(super) fn found(robot: &Robot, samples: &Samples, angles: &[[f64; 3]]) -> Op
         return None;
     }
     let may_be_marker = as_written > IGNORED_OF_MARKER * robot.anchor_diagonal();
-    let (left, words) = data.best((EXPLAINED * as_written).min(MOST_LEFT * robot.anchor_diagonal()), may_be_marker)?;
-    Some(format!(
+    let (left, kind, words) =
+        data.best((EXPLAINED * as_written).min(MOST_LEFT * robot.anchor_diagonal()), may_be_marker)?;
+    let text = format!(
         "{words} (misfit {} m as written, {} m so read, offsets and scales of the cables left aside)",
         three_digits(as_written),
         three_digits(left)
-    ))
+    );
+    let explained = 1.0 - (left / as_written).powi(2);
+    Some(Finding::new(kind, Severity::Caution, text).of_size(as_written, "m").explaining(explained))
 }
 
 impl Data<'_> {
     /// The mix-up with the least residual, with this residual (m), if it is below a limit; a marker only if no other
     /// explains the misfit.
-    fn best(&self, limit: f64, may_be_marker: bool) -> Option<(f64, String)> {
-        let mut best: Option<(f64, String)> = None;
-        let mut offer = |left: f64, words: &dyn Fn() -> String| {
-            if left <= limit && best.as_ref().is_none_or(|(least, _)| left < CLEARLY * least) {
-                best = Some((left, words()));
+    fn best(&self, limit: f64, may_be_marker: bool) -> Option<(f64, FindingKind, String)> {
+        let mut best: Option<(f64, FindingKind, String)> = None;
+        let mut offer = |left: f64, kind: FindingKind, words: &dyn Fn() -> String| {
+            if left <= limit && best.as_ref().is_none_or(|(least, ..)| left < CLEARLY * least) {
+                best = Some((left, kind, words()));
             }
         };
         let (left, order) = self.permuted();
-        offer(left, &|| {
+        offer(left, FindingKind::Permutation, &|| {
             let order: Vec<String> = order.iter().map(|column| (column + 1).to_string()).collect();
             format!(
                 "the cables look permuted: cables 1 to {} of the robot fit the recorded lengths {}",
@@ -71,16 +75,16 @@ impl Data<'_> {
                 order.join(", ")
             )
         });
-        for Reading { words, read } in readings(self.robot) {
+        for Reading { kind, words, read } in readings(self.robot) {
             let poses: Option<Vec<Pose>> =
                 self.poses.iter().zip(&self.angles).map(|(pose, angles)| read(pose, angles)).collect();
             let Some(poses) = poses else { continue };
-            offer(self.misfit(&poses), &|| words.clone());
+            offer(self.misfit(&poses), kind, &|| words.clone());
         }
         best.or_else(|| {
             let marker = marker::Marker::of(self).filter(|_| may_be_marker)?;
             let left = self.misfit(&marker.platform_poses(&self.poses));
-            (left <= limit).then(|| (left, marker.words(self.robot)))
+            (left <= limit).then(|| (left, FindingKind::Marker, marker.words(self.robot)))
         })
     }
 

@@ -94,12 +94,12 @@ pub(super) fn verdict_words(verdict: Verdict) -> &'static str {
 /// Reason of an answer that is a no: the first doubt that makes it one.
 pub(super) fn reason_of(verdict: Verdict, doubts: &[Doubt]) -> Option<String> {
     let decides = |doubt: &&Doubt| verdict.is_negative() && doubt.kind.verdict() == verdict;
-    doubts.iter().find(decides).map(|doubt| doubt.words.clone())
+    doubts.iter().find(decides).map(|doubt| doubt.words().to_owned())
 }
 
 /// Doubts about an answer, which stand before it.
 pub(super) fn doubt_words(doubts: &[Doubt]) -> String {
-    doubts.iter().map(|doubt| format!("caution: {}\n", doubt.words)).collect()
+    doubts.iter().map(|doubt| format!("caution: {}\n", doubt.words())).collect()
 }
 
 /// A row for every parameter.

@@ -1,12 +1,12 @@
 //! The answer of a comparison of candidates.
 
-use cdpr_calibration::selection::{JudgedCandidate, Judgement, Selection, SelectionCriterion};
+use cdpr_calibration::selection::{JudgedCandidate, Judgement, Selection, SelectionCriterion, Warnings};
 use cdpr_calibration::{Coverage, Outlier, RecordingFrames, Verdict, coverage};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::RatingAnswer;
-use crate::keys::{CoverageKeys, Each, JudgementKeys, Maybe, OutlierKeys, RecordingFrameKeys, Word};
+use crate::keys::{CoverageKeys, Each, JudgementKeys, Maybe, OutlierKeys, RecordingFrameKeys, WarningKeys, Word};
 use crate::report::Report;
 
 /// Candidates with their errors on data held out, and the choice among them; keys and units as in `result.json`.
@@ -59,10 +59,9 @@ pub struct SelectionAnswer<'a> {
     /// Seed of the bootstrap.
     pub seed: u64,
     /// Warnings for the reader, doubts about the outcome first.
-    pub warnings: Vec<String>,
-    /// Number of these doubts.
-    #[serde(skip)]
-    pub doubts: usize,
+    #[serde(flatten, with = "WarningKeys")]
+    #[schemars(with = "WarningKeys")]
+    pub warnings: Warnings,
     /// Folder of the result's files.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub out: Option<String>,
@@ -160,8 +159,7 @@ impl<'a> SelectionAnswer<'a> {
             outliers: shown.map_or(&[], |judgement| &judgement.fit.outliers),
             frames: shown.and_then(|judgement| judgement.fit.frames.as_ref()),
             seed: told.seed,
-            doubts: warnings.doubts.len(),
-            warnings: warnings.list(),
+            warnings,
             out: None,
             timing: None,
         }

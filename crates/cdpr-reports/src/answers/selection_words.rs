@@ -5,6 +5,7 @@ use cdpr_calibration::selection::SelectionCriterion;
 
 use super::error_table::convergence_remark;
 use super::frame_words::frame_words;
+use super::identification_words::doubt_words;
 use super::rating_answer::{above_least, has_others, largest};
 use super::{Answer, AsGiven, SelectionAnswer};
 use crate::number_format::{NONE, condition, significant};
@@ -15,8 +16,7 @@ impl Answer for SelectionAnswer<'_> {
     fn words(&self, width: Option<usize>) -> String {
         let mut text =
             format!("{}: {} samples of {}\njudged on {}\n", self.robot, self.samples, self.data, self.validation);
-        let (doubts, remarks) = self.warnings.split_at(self.doubts);
-        doubts.iter().for_each(|warning| text.push_str(&format!("caution: {warning}\n")));
+        text.push_str(&doubt_words(&self.warnings.doubts));
         text.push_str(&format!("\n{}\n", table(self, width)));
         match &self.recommended {
             Some(name) => {
@@ -50,7 +50,7 @@ impl Answer for SelectionAnswer<'_> {
         if let Some(table) = rating_table(self, width) {
             text.push_str(&format!("\n{table}"));
         }
-        for (index, remark) in remarks.iter().enumerate() {
+        for (index, remark) in self.warnings.remarks.iter().enumerate() {
             text.push_str(&format!("{}  {remark}\n", if index == 0 { "\nwarnings\n" } else { "" }));
         }
         if let Some(out) = &self.out {

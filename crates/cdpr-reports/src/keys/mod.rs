@@ -16,6 +16,7 @@ mod selection;
 mod statics;
 mod study;
 mod tables;
+mod warnings;
 mod workspace;
 
 pub(crate) use adapters::{Each, Keys, Maybe, Word};
@@ -34,4 +35,5 @@ pub(crate) use study::{BeyondKeys, DifferenceKeys, SummaryKeys};
 pub(crate) use tables::{
     AllowanceKeys, BenchmarkKeys, KindInfluenceKeys, MonteCarloKeys, RoundKeys, SweepRowKeys, kind,
 };
+pub(crate) use warnings::WarningKeys;
 pub(crate) use workspace::AuditKeys;

@@ -179,7 +179,7 @@ fn trusted(judgement: &Judgement) -> bool {
 }
 
 fn reasons_of_distrust(judgement: &Judgement) -> Vec<String> {
-    judgement.distrust.reasons.iter().map(|doubt| doubt.words.clone()).collect()
+    judgement.distrust.reasons.iter().map(|doubt| doubt.words().to_owned()).collect()
 }
 
 fn warnings(judgement: &Judgement) -> Vec<String> {

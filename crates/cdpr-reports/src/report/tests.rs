@@ -218,7 +218,7 @@ fn text_json_and_page_tell_the_same_warnings_and_the_verdict_has_their_colour() 
         let folds = fifths(samples.len());
         let report = report(&robot, &samples, &selection, &folds);
         let answer = SelectionAnswer::new(&report);
-        assert!(answer.warnings[0].starts_with(first), "{:?}", answer.warnings);
+        assert!(answer.warnings.list()[0].starts_with(first), "{:?}", answer.warnings);
         let text = answer.words(None);
         let html = markup(&render(&report).unwrap());
         let document = parsed(&html);
@@ -227,9 +227,9 @@ fn text_json_and_page_tell_the_same_warnings_and_the_verdict_has_their_colour() 
             node.descendants().filter(|node| node.is_text()).filter_map(|node| node.text()).collect()
         };
         let told: Vec<String> = list.descendants().filter(|node| node.has_tag_name("li")).map(words).collect();
-        let expected: Vec<String> = answer.warnings.iter().map(|warning| warning.replace('`', "")).collect();
+        let expected: Vec<String> = answer.warnings.list().iter().map(|warning| warning.replace('`', "")).collect();
         assert_eq!(told, expected);
-        assert!(answer.warnings.iter().all(|warning| text.matches(warning).count() == 1), "{text}");
+        assert!(answer.warnings.list().iter().all(|warning| text.matches(warning).count() == 1), "{text}");
         assert!(html.contains(&format!("class=\"verdict {class}\"")), "{class}");
         let status = match class {
             "good" => "recommended",
@@ -249,7 +249,7 @@ fn the_verdict_is_good_without_any_warning() {
     let selection = selected(&robot, &samples, "standard;standard:length-offset", &[]);
     let folds = fifths(samples.len());
     let report = Report { warnings: &Warnings::default(), ..report(&robot, &samples, &selection, &folds) };
-    assert_eq!(SelectionAnswer::new(&report).warnings, Vec::<String>::new());
+    assert_eq!(SelectionAnswer::new(&report).warnings.list(), Vec::<String>::new());
     let html = render(&report).unwrap();
     assert!(html.contains("class=\"verdict good\"") && !html.contains("id=\"warnings\""));
 }

@@ -4,6 +4,7 @@ use std::f64::consts::PI;
 
 use nalgebra::{Matrix3, Rotation3, UnitQuaternion, Vector3};
 
+use crate::finding::FindingKind;
 use crate::geometry::{MotionPattern, Pose};
 use crate::robot::Robot;
 
@@ -12,6 +13,7 @@ type Read = Box<dyn Fn(&Pose, &[f64; 3]) -> Option<Pose>>;
 
 /// A reading of poses, with its description.
 pub(super) struct Reading {
+    pub(super) kind: FindingKind,
     pub(super) words: String,
     pub(super) read: Read,
 }
@@ -32,7 +34,7 @@ fn rotated(
     rotation: impl Fn(&Pose, &[f64; 3]) -> Option<UnitQuaternion<f64>> + 'static,
 ) -> Reading {
     let read = move |pose: &Pose, angles: &[f64; 3]| Some(Pose { rotation: rotation(pose, angles)?, ..*pose });
-    Reading { words: words.into(), read: Box::new(read) }
+    Reading { kind: FindingKind::RotationConvention, words: words.into(), read: Box::new(read) }
 }
 
 /// Readings of orientations in space.
@@ -88,7 +90,7 @@ fn of_plane(robot: &Robot) -> Vec<Reading> {
             components[2] = factor * angles[0];
             pattern.pose(plane, &components).ok()
         };
-        Reading { words: words.to_owned(), read: Box::new(read) }
+        Reading { kind: FindingKind::RotationConvention, words: words.to_owned(), read: Box::new(read) }
     };
     vec![
         turned(
@@ -111,12 +113,14 @@ fn axes(robot: &Robot) -> Vec<Reading> {
     let swaps = signed_permutations(&own).into_iter().filter(|matrix| *matrix != Matrix3::identity());
     for (matrix, shift) in swaps.flat_map(|matrix| shifts(&matrix, &middle).map(move |shift| (matrix, shift))) {
         let words = words_of(&matrix, &shift, &own);
+        let kind = if matrix.determinant() < 0.0 { FindingKind::Mirror } else { FindingKind::Permutation };
         let turns = robot.motion_pattern.has_rotation();
         let moved = move |pose: &Pose, rotation| Some(Pose { position: matrix * pose.position + shift, rotation });
-        all.push(Reading { words: words.clone(), read: Box::new(move |pose, _| moved(pose, pose.rotation)) });
+        all.push(Reading { kind, words: words.clone(), read: Box::new(move |pose, _| moved(pose, pose.rotation)) });
         if turns {
             let both = move |pose: &Pose| rotation(matrix * pose.rotation_matrix() * matrix.transpose());
             all.push(Reading {
+                kind,
                 words: format!("{words}, in the orientations too"),
                 read: Box::new(move |pose, _| moved(pose, both(pose))),
             });
@@ -124,6 +128,7 @@ fn axes(robot: &Robot) -> Vec<Reading> {
         // a rotation of the world about the normal of the plane, or in space
         if turns && matrix.determinant() > 0.0 {
             all.push(Reading {
+                kind,
                 words: format!("{words}: the world's axes, also under the orientations"),
                 read: Box::new(move |pose, _| moved(pose, rotation(matrix * pose.rotation_matrix()))),
             });

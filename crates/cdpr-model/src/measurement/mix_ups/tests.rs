@@ -8,6 +8,11 @@ use rand::{RngExt, SeedableRng};
 use super::*;
 use crate::geometry::Pose;
 
+/// The mix-up in words.
+fn found_words(robot: &Robot, samples: &Samples, angles: &[[f64; 3]]) -> Option<String> {
+    super::found(robot, samples, angles).map(|finding| finding.text)
+}
+
 /// Samples with rotations of the platform of up to 30° about each axis, with lengths of points, offsets and noise of
 /// 0.3 mm; angles as in a file.
 fn recorded(robot: &Robot) -> (Samples, Vec<[f64; 3]>) {
@@ -65,12 +70,12 @@ fn clean_data_name_no_mix_up() {
     for robot in robots() {
         let (samples, angles) = recorded(&robot);
         for angles in [&angles[..], &[]] {
-            assert_eq!(found(&robot, &samples, angles), None, "{}", robot.name);
+            assert_eq!(found_words(&robot, &samples, angles), None, "{}", robot.name);
         }
         // anchors that are wrong by centimetres are no mix-up
         let mut wrong = robot.clone();
         wrong.cables.iter_mut().enumerate().for_each(|(k, cable)| cable.frame_anchor.x += 0.03 * (k as f64).sin());
-        assert_eq!(found(&wrong, &samples, &angles), None, "{}", robot.name);
+        assert_eq!(found_words(&wrong, &samples, &angles), None, "{}", robot.name);
     }
 }
 
@@ -83,7 +88,7 @@ fn permuted_cables_are_named_with_their_order() {
             row.swap(1, 4);
             row.swap(0, 2);
         });
-        let words = found(&robot, &samples, &angles).unwrap();
+        let words = found_words(&robot, &samples, &angles).unwrap();
         let rest: String = (6..=m).map(|cable| format!(", {cable}")).collect();
         assert!(words.contains(&format!("recorded lengths 3, 5, 1, 4, 2{rest}")), "{words}");
     }
@@ -94,7 +99,7 @@ fn orientations_written_otherwise_are_named() {
     for robot in robots() {
         let (samples, angles) = recorded(&robot);
         let named = |samples: &Samples, angles: &[[f64; 3]], what: &str| {
-            let words = found(&robot, samples, angles).unwrap_or_default();
+            let words = found_words(&robot, samples, angles).unwrap_or_default();
             assert!(words.contains(what), "{}: {what}: {words}", robot.name);
         };
         let scalar_first = with_rotations(&samples, |rotation| {
@@ -168,14 +173,14 @@ fn swapped_and_mirrored_axes_are_named() {
                 let p = pose.position;
                 Pose { position: Vector3::new(p[order.x], p[order.y], p[order.z]), ..*pose }
             });
-            let words = found(&robot, &swapped, &[]).unwrap_or_default();
+            let words = found_words(&robot, &swapped, &[]).unwrap_or_default();
             assert!(words.contains(&format!("x, y, z of the robot fit {axes} of the data")), "{axes}: {words}");
         }
         let mirrored = with_poses(&samples, |pose| {
             let p = pose.position;
             Pose { position: Vector3::new(p.x, -p.y, p.z), ..*pose }
         });
-        let words = found(&robot, &mirrored, &[]).unwrap_or_default();
+        let words = found_words(&robot, &mirrored, &[]).unwrap_or_default();
         assert!(words.contains("x, y, z of the robot fit x, −y, z of the data (misfit"), "{words}");
         // counted from the other wall
         let [low, high] = robot.anchor_box();
@@ -184,7 +189,7 @@ fn swapped_and_mirrored_axes_are_named() {
             let p = pose.position;
             Pose { position: Vector3::new(p.x, walls - p.y, p.z), ..*pose }
         });
-        let words = found(&robot, &other_wall, &[]).unwrap_or_default();
+        let words = found_words(&robot, &other_wall, &[]).unwrap_or_default();
         assert!(
             words.contains(&format!("x, y, z of the robot fit x, {walls:.3} m − y, z of the data (misfit")),
             "{words}"
@@ -196,12 +201,12 @@ fn swapped_and_mirrored_axes_are_named() {
             let p = pose.position;
             Pose { position: Vector3::new(p.x, -p.y, p.z), rotation }
         });
-        let words = found(&robot, &left_handed, &[]).unwrap_or_default();
+        let words = found_words(&robot, &left_handed, &[]).unwrap_or_default();
         assert!(words.contains("x, −y, z of the data, in the orientations too"), "{words}");
         // a world with y up
         let turn = UnitQuaternion::from_axis_angle(&Vector3::x_axis(), -PI / 2.0);
         let y_up = with_poses(&samples, |pose| Pose { position: turn * pose.position, rotation: turn * pose.rotation });
-        let words = found(&robot, &y_up, &[]).unwrap_or_default();
+        let words = found_words(&robot, &y_up, &[]).unwrap_or_default();
         assert!(words.contains("x, −z, y of the data: the world's axes, also under the orientations"), "{words}");
     }
 }
@@ -215,7 +220,7 @@ fn poses_of_a_marker_are_named_with_its_place() {
             position: pose.transform(&plate.position),
             rotation: pose.rotation * plate.rotation,
         });
-        let words = found(&robot, &marker, &[]).unwrap_or_default();
+        let words = found_words(&robot, &marker, &[]).unwrap_or_default();
         assert!(words.contains("those of a marker") && words.contains("turned by 13."), "{words}");
         let origin = -(plate.rotation.inverse() * plate.position);
         let place = words.split(['(', ')']).nth(1).unwrap();
@@ -245,7 +250,7 @@ fn an_angle_in_the_plane_is_tried_in_degrees_and_the_other_way_round() {
             samples.poses.push(pose(factor * angle));
             angles.push([factor * angle, 0.0, 0.0]);
         }
-        found(&robot, &samples, &angles)
+        found_words(&robot, &samples, &angles)
     };
     assert_eq!(written(1.0), None);
     assert!(written(180.0 / PI).unwrap().contains("look like degrees"));
