@@ -1,5 +1,7 @@
 //! Standard errors of a mean over samples that may be correlated.
 
+use std::collections::HashMap;
+
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 
@@ -13,23 +15,42 @@ const REPLICATES: usize = 1000;
 /// The block length is the one that is optimal for a first-order autoregressive process with the series' lag-one
 /// correlation (Politis and White 2004): (2ρ/(1 − ρ²))^⅔ (3N/2)^⅓, at least 1. Seeded: the same series gives the same error.
 pub fn standard_error(series: &[f64], seed: u64) -> f64 {
-    let count = series.len();
+    let whole: Vec<usize> = (0..series.len()).collect();
+    standard_error_of_groups(series, &whole, seed)
+}
+
+/// The same where values belong together, such as those at one pose: each value has the number of its group, and a group is drawn whole.
+pub(super) fn standard_error_of_groups(series: &[f64], groups: &[usize], seed: u64) -> f64 {
+    let mut place_of: HashMap<usize, usize> = HashMap::new();
+    let (mut sums, mut sizes) = (Vec::new(), Vec::new());
+    for (value, group) in series.iter().zip(groups) {
+        let place = *place_of.entry(*group).or_insert(sums.len());
+        if place == sums.len() {
+            sums.push(0.0);
+            sizes.push(0_usize);
+        }
+        sums[place] += value;
+        sizes[place] += 1;
+    }
+    let count = sums.len();
     if count < 2 {
         return f64::NAN;
     }
-    let block = block_length(series);
+    let of_groups: Vec<f64> = sums.iter().zip(&sizes).map(|(sum, size)| sum / *size as f64).collect();
+    let block = block_length(&of_groups);
     let blocks = count.div_ceil(block);
     let mut rng = ChaCha8Rng::seed_from_u64(seed);
     let mut means = Vec::with_capacity(REPLICATES);
     for _ in 0..REPLICATES {
-        let mut sum = 0.0;
+        let (mut sum, mut values) = (0.0, 0);
         for index in 0..blocks {
             let start = rng.random_range(0..count);
-            // the last block is cut so that every replicate has `count` values
+            // the last block is cut so that every replicate has `count` groups
             let length = block.min(count - index * block);
-            sum += (start..start + length).map(|at| series[at % count]).sum::<f64>();
+            sum += (start..start + length).map(|at| sums[at % count]).sum::<f64>();
+            values += (start..start + length).map(|at| sizes[at % count]).sum::<usize>();
         }
-        means.push(sum / count as f64);
+        means.push(sum / values as f64);
     }
     let mean = means.iter().sum::<f64>() / REPLICATES as f64;
     (means.iter().map(|x| (x - mean).powi(2)).sum::<f64>() / (REPLICATES - 1) as f64).sqrt()
@@ -58,6 +79,18 @@ mod tests {
         let expected = (1.0_f64 / 12.0).sqrt() / 1000_f64.sqrt();
         let found = standard_error(&uniform(1000), 1);
         assert!((found / expected - 1.0).abs() < 0.15, "{found} {expected}");
+    }
+
+    /// Every value five times, anywhere in the series: drawn whole they count once.
+    #[test]
+    fn groups_are_drawn_whole() {
+        let values = uniform(200);
+        let scattered: Vec<f64> = (0..1000).map(|at| values[at % 200]).collect();
+        let groups: Vec<usize> = (0..1000).map(|at| at % 200).collect();
+        let expected = (1.0_f64 / 12.0).sqrt() / 200_f64.sqrt();
+        let found = standard_error_of_groups(&scattered, &groups, 1);
+        assert!((found / expected - 1.0).abs() < 0.15, "{found} {expected}");
+        assert!(standard_error(&scattered, 1) < 0.6 * expected);
     }
 
     /// Every value ten times over: a tenth of the information, so the error is √10 larger.

@@ -276,6 +276,19 @@ fn evaluate_with(
     Ok(evaluation)
 }
 
+/// Poses that a model predicts from recorded lengths, near the measured ones; `None` where the forward problem has no answer.
+pub(crate) fn predicted_poses(model: &Model, samples: &Samples) -> Option<Vec<Option<Pose>>> {
+    let mut state = State::at_home(model);
+    let predictor = Predictor::new(model, &mut state).ok()?;
+    let samples = &*model.with_lengths(samples).ok()?;
+    let predict = |(sample, near): (usize, &Pose)| {
+        let recorded = samples.lengths_of(sample).iter().enumerate();
+        let controlled: Vec<f64> = recorded.map(|(cable, length)| model.controlled_length(cable, *length)).collect();
+        predictor.predict(model, &controlled, near, &mut state).ok().map(|found| found.pose)
+    };
+    Some(samples.poses.iter().enumerate().map(predict).collect())
+}
+
 impl Evaluation {
     /// Appends the errors of a predicted pose, or the reason why there is none.
     fn add_pose(&mut self, predicted: Result<&Prediction, &NoPrediction>, measured: &Pose) {

@@ -100,7 +100,7 @@ pub(super) struct Spectrum {
     vectors: DMatrix<f64>,
 }
 
-/// Analyses blocks of parameters at their optimum. The typical correlation time of a block's rows enlarges its deviations.
+/// Analyses blocks of parameters at their optimum. Where a block's rows depend on their neighbours, its deviations are those of correlated noise.
 pub(super) fn analyse(
     model: &Model,
     samples: &Samples,
@@ -126,7 +126,8 @@ pub(super) fn analyse(
         let priors = prior_weights(parameters, settings);
         let mut weighted = group.weighted.clone();
         weighted.push_diagonal(priors.iter().map(|weight| weight.sqrt()));
-        let uncertainty = Uncertainty::new(&spectrum(weighted), noise.inflation * time.sqrt(), &priors);
+        let correlated = (time > 1.0).then(|| correlated_information(group, norms));
+        let uncertainty = Uncertainty::new(&spectrum(weighted), noise.inflation, &priors, correlated.as_ref());
         analysis.undetermined += uncertainty.undetermined;
         rows.extend(uncertainty.correlation_rows(rows.len()));
         let named = Named {
@@ -149,7 +150,7 @@ pub(super) fn analyse(
     analysis.singular_values = plain_values;
     analysis.set_weak_directions(model, directions);
     if longest_time > 1.0 {
-        analysis.warnings.push(repeated(longest_time, groups.len() > 1));
+        analysis.warnings.push(repeated(longest_time, samples.len(), groups.len() > 1));
     }
     analysis
 }
@@ -166,13 +167,36 @@ fn typical_time(group: &GroupRows, norms: &Norms) -> f64 {
     times[times.len() / 2]
 }
 
+/// Jᵀ C J of the rows in units of their noise, C the correlation of each row's series: a first-order autoregression with its correlation time.
+fn correlated_information(group: &GroupRows, norms: &Norms) -> DMatrix<f64> {
+    let columns = group.weighted_rows.ncols();
+    let kinds = group.series.len();
+    let mut information = DMatrix::zeros(columns, columns);
+    for (kind, series) in group.series.iter().enumerate() {
+        let mut weighed = series.clone();
+        norms.weigh(&mut weighed);
+        let time = correlation_time(&weighed);
+        let correlation = (time - 1.0) / (time + 1.0);
+        let own = group.weighted_rows.rows_with_step(kind, series.len(), kinds - 1).into_owned();
+        // Σ ρᵏ of the rows k behind, from the last row on
+        let mut behind = DMatrix::zeros(series.len(), columns);
+        for sample in (0..series.len().saturating_sub(1)).rev() {
+            let sum = (own.row(sample + 1) + behind.row(sample + 1)) * correlation;
+            behind.set_row(sample, &sum);
+        }
+        let crossed = own.tr_mul(&behind);
+        information += own.tr_mul(&own) + &crossed + crossed.transpose();
+    }
+    information
+}
+
 /// Warning about residuals that repeat each other, of several cables by up to so much.
-fn repeated(time: f64, are_several: bool) -> String {
+fn repeated(time: f64, samples: usize, are_several: bool) -> String {
     let up_to = if are_several { "up to " } else { "" };
     format!(
-        "residuals of consecutive samples repeat each other (correlation time {up_to}{time:.0} samples): standard deviations are \
-         enlarged by {up_to}{:.1} to account for it",
-        time.sqrt()
+        "residuals of consecutive samples repeat each other (correlation time {up_to}{time:.0} samples, so that the {samples} rows are worth {:.0} independent \
+         ones where the pose changes slowly): standard deviations account for it",
+        samples as f64 / time
     )
 }
 
@@ -247,7 +271,14 @@ impl Uncertainty {
     /// The estimate is that of the weights as they are, P Jᵀ W r with P = (JᵀWJ + Λ)⁻¹, so its covariance is
     /// P (g JᵀWJ + Λ) P = g P − (g − 1) P Λ P, g the square of the factor: what a prior tells does not become less certain
     /// because the data do.
-    pub(super) fn new(posterior: &Spectrum, factor: f64, prior_weights: &[f64]) -> Self {
+    ///
+    /// Rows that depend on their neighbours have Jᵀ W C W J in place of JᵀWJ in the middle, C their correlation: `correlated`.
+    pub(super) fn new(
+        posterior: &Spectrum,
+        factor: f64,
+        prior_weights: &[f64],
+        correlated: Option<&DMatrix<f64>>,
+    ) -> Self {
         let count = posterior.values.len();
         let largest = posterior.values.iter().copied().fold(0.0, f64::max);
         let determined = |value: f64| value > rank_tolerance(count.max(100)) * largest;
@@ -268,9 +299,16 @@ impl Uncertainty {
         for (mut column, &weight) in of_priors.column_iter_mut().zip(prior_weights) {
             column *= weight;
         }
-        let covariance = &plain * inflation - of_priors * &plain * (inflation - 1.0);
+        let covariance = match correlated {
+            None => &plain * inflation - of_priors * &plain * (inflation - 1.0),
+            Some(correlated) => &plain * correlated * &plain * inflation + of_priors * &plain,
+        };
         // along a singular vector v the same by v alone: P v = v/s²
         let deviation = |(j, &value): (usize, &f64)| match determined(value) {
+            true if correlated.is_some() => {
+                let vector = posterior.vectors.column(j);
+                vector.dot(&(&covariance * vector)).max(0.0).sqrt()
+            }
             true => {
                 let vector = posterior.vectors.column(j);
                 let squares = vector.iter().zip(prior_weights).map(|(v, weight)| weight * v * v);

@@ -16,6 +16,7 @@ mod cross_validation;
 mod design;
 mod error_code;
 pub mod evaluation;
+mod findings;
 pub mod fit;
 mod gauge_convention;
 mod identifiability;
@@ -28,6 +29,7 @@ mod norms;
 mod objective;
 mod objective_values;
 mod outliers;
+mod paired;
 mod path;
 mod plain_rows;
 mod plausibility;
@@ -42,6 +44,7 @@ mod reduction;
 mod resampling;
 mod residual;
 mod scaling;
+mod screening;
 pub mod selection;
 mod self_calibration;
 mod stopping;
@@ -65,6 +68,7 @@ pub use design::{
     PosePrediction, Predicted, plan,
 };
 pub use evaluation::{ErrorBlocks, Evaluation, EvaluationError, evaluate, evaluate_fitted};
+pub use findings::{Examined, UNIT_FACTORS, findings};
 pub use fit::{Fit, FrameEstimate, Gauge, Prior, RecordingFrames, frame_warning};
 pub use gauge_convention::GaugeConvention;
 pub use identifiability::{Analysis, Correlation};
@@ -75,6 +79,7 @@ pub use minimize::starts::{StartOptimum, Starts};
 pub use objective::{Minimize, Objective};
 pub use objective_values::ObjectiveValues;
 pub use outliers::Outlier;
+pub use paired::Difference;
 pub use path::{PathParameter, PathPoint, PathSettings, Penalty, PenaltyPath, Towards, penalty_path};
 pub use plausibility::{Distrust, distrust};
 pub use point_robot::{point_pattern, without_rotation};
@@ -85,6 +90,7 @@ pub use resampling::{Resampled, ResampledDeviation, resampled};
 pub use scaling::{
     ConditionMap, Conditioning, Influence, KindCondition, KindScale, condition_map, conditioning, scaled_kind,
 };
+pub use screening::{Screened, repeated_of, screened};
 pub use self_calibration::{
     Comparison, GaugeFixing, SelfCalibration, SensorFit, cross_validate_without_poses, evaluate_lengths, self_calibrate,
 };

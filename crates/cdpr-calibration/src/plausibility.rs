@@ -1,12 +1,20 @@
 //! Whether a model is good enough to be announced at all.
 
-use super::evaluation::ErrorBlocks;
+use super::evaluation::{ErrorBlocks, predicted_poses};
 use super::verdict::{Doubt, DoubtKind};
-use cdpr_model::measurement::{SensorSigmas, three_digits};
+use cdpr_model::control::error_statistics::diagonal;
+use cdpr_model::measurement::{Samples, SensorSigmas, three_digits};
+use cdpr_model::model::Model;
 use cdpr_model::robot::Robot;
 
-/// Largest mean error, as a share of the diagonal of the anchors' box.
-const LARGEST_SHARE: f64 = 0.01;
+/// Largest mean error, as a fraction of the diagonal of the sampled positions; of the anchors' box where no pose is measured.
+const LARGEST_FRACTION: f64 = 0.01;
+/// Scatter of the errors of neighbouring samples that is allowed besides, and how near neighbours are as a fraction of that diagonal.
+const SCATTERS: f64 = 2.0;
+const NEAR: f64 = 0.05;
+/// Fewest neighbours that tell a scatter, and most samples asked for theirs.
+const FEWEST_NEIGHBOURS: usize = 10;
+const MOST_ASKED: usize = 300;
 /// Largest mean error, as a multiple of the stated accuracy.
 const LARGEST_MULTIPLE: f64 = 5.0;
 
@@ -25,16 +33,109 @@ impl Distrust {
 
 /// Reasons not to trust a model with these errors.
 ///
-/// A mean error above a hundredth of the robot's size, or above five times the accuracy that is stated for the measured poses (of lengths, where no pose is
+/// A mean error above a hundredth of the size of the sampled region and twice the scatter of neighbouring samples (of the robot's size where no pose is
+/// measured), or above five times the accuracy that is stated for the measured poses (of lengths, where no pose is
 /// measured), is no error of a model but of its data, of the robot file, or of what the model leaves out. Nor is one to be trusted that predicts less than half
 /// of the poses, though the robot has as many cables as degrees of freedom.
-pub fn distrust(robot: &Robot, sigmas: &SensorSigmas, errors: &ErrorBlocks) -> Distrust {
+///
+/// What the stated accuracy of the lengths makes of a predicted pose belongs to the accuracy of the prediction: robots with few cables, or near a singularity, turn
+/// it into much more than what the tracker errs.
+pub fn distrust(robot: &Robot, model: &Model, samples: &Samples, errors: &ErrorBlocks) -> Distrust {
+    judged(&Judged {
+        robot,
+        sigmas: &samples.sigmas,
+        errors,
+        of_lengths: &|| of_lengths(model, samples),
+        sampled: sampled(model, samples),
+    })
+}
+
+/// Errors of a predicted position (m) and orientation (rad) that the accuracy of the lengths makes.
+type OfLengths<'a> = &'a dyn Fn() -> Option<[f64; 2]>;
+
+/// Diagonal of the sampled positions, and mean difference of the errors of neighbours, over √2 (m).
+#[derive(Clone, Copy, Default)]
+struct Sampled {
+    diagonal: f64,
+    scatter: f64,
+}
+
+/// What the samples themselves say of their size and noise; `None` for a single position.
+fn sampled(model: &Model, samples: &Samples) -> Option<Sampled> {
+    let diagonal = diagonal(|| samples.poses.iter().map(|pose| pose.position));
+    if !(diagonal > 0.0) {
+        return None;
+    }
+    let asked = MOST_ASKED.min(samples.len());
+    let few = samples.subset(&(0..asked).map(|place| place * samples.len() / asked).collect::<Vec<usize>>());
+    let none = Some(Sampled { diagonal, scatter: 0.0 });
+    let Some(predicted) = predicted_poses(model, &few) else { return none };
+    let error = |sample: usize| Some(predicted[sample]?.position - few.poses[sample].position);
+    let distance = |a: usize, b: usize| (few.poses[a].position - few.poses[b].position).norm();
+    let mut differences = Vec::new();
+    for sample in 0..asked {
+        let nearest = (0..asked)
+            .filter(|&other| other != sample)
+            .min_by(|&a, &b| distance(sample, a).total_cmp(&distance(sample, b)));
+        let Some(other) = nearest.filter(|&other| distance(sample, other) < NEAR * diagonal) else { continue };
+        differences.extend(error(sample).zip(error(other)).map(|(own, other)| (own - other).norm()));
+    }
+    if differences.len() < FEWEST_NEIGHBOURS {
+        return none;
+    }
+    let scatter = differences.iter().sum::<f64>() / differences.len() as f64 / std::f64::consts::SQRT_2;
+    Some(Sampled { diagonal, scatter })
+}
+
+/// Samples at which it is asked for.
+const ASKED: usize = 12;
+
+/// Root mean square errors of predicted poses if every length errs by its stated accuracy, to first order; `None` where none is stated.
+fn of_lengths(model: &Model, samples: &Samples) -> Option<[f64; 2]> {
+    let sigma = samples.sigmas.length.filter(|sigma| *sigma > 0.0)?;
+    let asked = ASKED.min(samples.len());
+    let few = samples.subset(&(0..asked).map(|place| place * samples.len() / asked).collect::<Vec<usize>>());
+    let middle = predicted_poses(model, &few)?;
+    let (mut squares, mut counts) = ([0.0; 2], vec![0.0; asked]);
+    for cable in 0..few.cable_count {
+        let mut moved = few.clone();
+        (0..asked).for_each(|sample| moved.lengths[sample * few.cable_count + cable] += sigma);
+        for (sample, (before, after)) in middle.iter().zip(predicted_poses(model, &moved)?).enumerate() {
+            let (Some(before), Some(after)) = (before, after) else { continue };
+            squares[0] += (after.position - before.position).norm_squared();
+            squares[1] += after.angle_to(before).powi(2);
+            counts[sample] += 1.0;
+        }
+    }
+    let answered = counts.iter().sum::<f64>() / few.cable_count as f64;
+    (answered > 0.0).then(|| squares.map(|square| (square / answered).sqrt()))
+}
+
+/// Errors of a model, and what they are held against.
+struct Judged<'a> {
+    robot: &'a Robot,
+    sigmas: &'a SensorSigmas,
+    errors: &'a ErrorBlocks,
+    of_lengths: OfLengths<'a>,
+    sampled: Option<Sampled>,
+}
+
+fn judged(asked: &Judged<'_>) -> Distrust {
+    let Judged { robot, sigmas, errors, of_lengths, sampled } = *asked;
     let position = errors.position_error_m.mean;
     let (error, name) = match position.is_nan() {
         true => (errors.length_error_m.mean_abs, "cable-length"),
         false => (position, "position"),
     };
-    let limit = LARGEST_SHARE * robot.anchor_diagonal();
+    let of_anchors = (LARGEST_FRACTION * robot.anchor_diagonal(), "1 % of the diagonal of the anchors' box");
+    // a stated accuracy says more than a size
+    let (limit, of_what) = match sampled.filter(|_| sigmas.position.is_none() && !position.is_nan()) {
+        Some(Sampled { diagonal, scatter }) if LARGEST_FRACTION * diagonal + SCATTERS * scatter < of_anchors.0 => (
+            LARGEST_FRACTION * diagonal + SCATTERS * scatter,
+            "1 % of the diagonal of the sampled positions and twice the scatter of neighbours",
+        ),
+        _ => of_anchors,
+    };
     let mut distrust = Distrust::default();
     let (answered, all) = (errors.answered, errors.answered + errors.not_converged);
     // fewer cables than degrees of freedom determine no pose, and are judged by their lengths
@@ -50,7 +151,7 @@ pub fn distrust(robot: &Robot, sigmas: &SensorSigmas, errors: &ErrorBlocks) -> D
     if error > limit {
         distrust.add(DoubtKind::Gross, || {
             format!(
-                "the mean {name} error, {} mm, is above 1 % of the diagonal of the anchors' box, {} mm: \
+                "the mean {name} error, {} mm, is above {of_what}, {} mm: \
                  are the data, their frame, their clock and the robot file right?",
                 three_digits(1e3 * error),
                 three_digits(1e3 * limit)
@@ -58,11 +159,19 @@ pub fn distrust(robot: &Robot, sigmas: &SensorSigmas, errors: &ErrorBlocks) -> D
         });
     }
     let rotation = errors.rotation_error_rad.mean;
-    for (error, sigma, name, factor, unit) in [
+    for (place, (error, sigma, name, factor, unit)) in [
         (position, sigmas.position, "position", 1e3, " mm"),
         (rotation, sigmas.rotation, "rotation", 1f64.to_degrees(), "°"),
-    ] {
+    ]
+    .into_iter()
+    .enumerate()
+    {
         let Some(sigma) = sigma.filter(|sigma| *sigma > 0.0 && error > LARGEST_MULTIPLE * sigma) else { continue };
+        // 1.6 = √(8/π): the mean of a length in space over its deviation per axis
+        let propagated = of_lengths().map_or(0.0, |both| both[place]);
+        if error <= LARGEST_MULTIPLE * (1.6 * sigma).hypot(propagated) / 1.6 {
+            continue;
+        }
         distrust.add(DoubtKind::BeyondAccuracy, || {
             format!(
                 "the mean {name} error, {}{unit}, is {} times the accuracy that is stated for the poses, {}{unit}: \
@@ -104,7 +213,13 @@ mod tests {
         let robot = Robot::builtin("planar-example").unwrap();
         let of = |robot: &Robot, answered: usize| {
             let errors = ErrorBlocks { answered, not_converged: 9 - answered, ..Evaluation::default().blocks() };
-            distrust(robot, &SensorSigmas::default(), &errors)
+            judged(&Judged {
+                robot,
+                sigmas: &SensorSigmas::default(),
+                errors: &errors,
+                of_lengths: &|| None,
+                sampled: None,
+            })
         };
         assert!(of(&robot, 1).reasons[0].words().contains("of 1 of 9 samples"));
         assert_eq!(of(&robot, 0).reasons[0].kind, DoubtKind::FewPoses);
@@ -121,7 +236,10 @@ mod tests {
         let robot = Robot::builtin("planar-example").unwrap();
         let mut errors = ErrorBlocks { answered: 9, not_converged: 0, ..Evaluation::default().blocks() };
         errors.length_error_m.rms = 2.6e-3;
-        let of = |length: Option<f64>| distrust(&robot, &SensorSigmas { length, ..SensorSigmas::default() }, &errors);
+        let of = |length: Option<f64>| {
+            let sigmas = SensorSigmas { length, ..SensorSigmas::default() };
+            judged(&Judged { robot: &robot, sigmas: &sigmas, errors: &errors, of_lengths: &|| None, sampled: None })
+        };
         assert_eq!(of(Some(5e-4)).reasons[0].kind, DoubtKind::BeyondAccuracy);
         assert!(of(Some(5e-4)).reasons[0].words().contains("5.20 times"), "{:?}", of(Some(5e-4)));
         assert_eq!([of(Some(6e-4)), of(Some(0.0)), of(None)], [(); 3].map(|()| Distrust::default()));

@@ -10,6 +10,7 @@ use super::bootstrap::standard_error;
 use super::cross_validation::reported_part;
 use super::evaluation::evaluate_fitted;
 use super::fit::{self, Fit, InputError, checked_parameters, optimum_of};
+use super::paired::{Difference, repeated_poses};
 use super::path::{PenaltyPath, is_path_of};
 use super::point_robot::{as_point, point_robot, without_rotation};
 use cdpr_model::geometry::MotionPattern;
@@ -35,7 +36,7 @@ pub enum Evidence {
     Path,
 }
 
-/// Smaller model that predicts what was held out as well as the one asked for, within a standard error.
+/// Smaller model that predicts what was held out as well as the one asked for, on the same samples.
 #[derive(Clone, Debug)]
 pub struct Reduction {
     /// Evidence.
@@ -52,6 +53,8 @@ pub struct Reduction {
     pub position_mean_m: [f64; 2],
     /// Standard error of the first.
     pub standard_error: f64,
+    /// The second minus the first on the same samples, and the standard error of that (m).
+    pub difference: Difference,
     /// The smaller model as given.
     pub nominal: Model,
     /// The smaller model, identified from all samples of the fit.
@@ -86,8 +89,8 @@ pub fn propose_reduction(
     let by_path = path.and_then(|path| of_path(model, &parameters, path));
     let Some(found) = by_path.or_else(|| of_orientation(model, samples, fit, &parameters)) else { return Ok(None) };
     let trial = Trial { model, parameters: &parameters, settings, found: &found };
-    let Some((errors, standard_error)) = trial.held_out(samples, folds)? else { return Ok(None) };
-    if !(errors[1] <= errors[0] + standard_error.max(0.0)) {
+    let Some((errors, standard_error, difference)) = trial.held_out(samples, folds)? else { return Ok(None) };
+    if !difference.is_none(errors[0]) {
         return Ok(None);
     }
     let part = samples.subset(&reported_part(samples, folds));
@@ -98,6 +101,7 @@ pub fn propose_reduction(
         left: found.left.iter().map(name).collect(),
         position_mean_m: errors,
         standard_error,
+        difference,
         model: trial.reduced(&part)?,
         evidence: found.evidence,
         reason: found.reason,
@@ -193,8 +197,8 @@ impl Trial<'_> {
         Ok(optimum_of(nominal, &self.seen(samples), kept, self.settings)?.model)
     }
 
-    /// Mean position errors of both models on data held out, and the standard error of the first; `None` where one predicts no pose.
-    fn held_out(&self, samples: &Samples, folds: &[Fold]) -> Result<Option<([f64; 2], f64)>, InputError> {
+    /// Mean position errors of both models on data held out, the standard error of the first, and their difference; `None` where one predicts no pose.
+    fn held_out(&self, samples: &Samples, folds: &[Fold]) -> Result<Option<([f64; 2], f64, Difference)>, InputError> {
         let mut series = [Vec::new(), Vec::new()];
         for fold in folds {
             let (train, held) = (samples.subset(&fold.train), samples.subset(&fold.validation));
@@ -213,6 +217,10 @@ impl Trial<'_> {
         let of_common = |errors: &Vec<f64>| common.iter().map(|&sample| errors[sample]).collect::<Vec<f64>>();
         let series = series.each_ref().map(of_common);
         let means = series.each_ref().map(|errors| errors.iter().sum::<f64>() / errors.len() as f64);
-        Ok(Some((means, standard_error(&series[0], self.settings.seed))))
+        let poses = repeated_poses(self.model.robot(), samples);
+        let held: Vec<usize> = folds.iter().flat_map(|fold| fold.validation.iter().copied()).collect();
+        let groups: Vec<usize> = common.iter().map(|&place| poses[held[place]]).collect();
+        let difference = Difference::to_best(&series[0], &series[1], &groups, self.settings.seed);
+        Ok(Some((means, standard_error(&series[0], self.settings.seed), difference)))
     }
 }

@@ -10,6 +10,7 @@ mod reason;
 mod recording;
 mod requirement;
 mod settings;
+mod soundness;
 mod untried;
 mod warnings;
 mod without_poses;
@@ -21,7 +22,9 @@ pub use preferences::Preference;
 pub use rating::Rating;
 use std::ops::ControlFlow;
 
+use crate::paired::repeated_poses;
 use crate::progress::SharedProgress;
+use comparison::{Compared, Comparing};
 
 use reason::{Reason, nobody};
 pub use requirement::{Requirement, RequirementError, RequirementOutcome};
@@ -32,8 +35,10 @@ pub use without_poses::select_without_poses;
 
 use super::candidate::Candidate;
 use super::clock_test::clock_warning;
+use super::findings::{Examined, findings};
 use super::fit::{self, Prior, frames_that_fit};
 use super::plausibility::distrust;
+use cdpr_model::finding::Finding;
 use cdpr_model::measurement::{Fold, Samples, SplitError};
 use cdpr_model::model::{Composition, RecordingParameter};
 use cdpr_model::robot::Robot;
@@ -58,9 +63,25 @@ pub struct Selection {
     pub frames: Option<String>,
     /// Priors that nobody stated.
     pub assumed: Vec<Prior>,
+    /// What data, numbers and statics deny of the candidate of [`Selection::shown`].
+    pub findings: Vec<Finding>,
 }
 
 impl Selection {
+    /// What data, numbers and statics deny of the candidate shown.
+    fn examined(
+        &self,
+        given: &Robot,
+        samples: &Samples,
+        held_out: &[usize],
+        richest: Option<&fit::Fit>,
+    ) -> Vec<Finding> {
+        let shown = self.shown().and_then(|index| self.candidates[index].outcome.as_ref().ok());
+        let Some(judgement) = shown else { return Vec::new() };
+        let (fit, position_error) = (&judgement.fit, judgement.validation.position_error_m.mean);
+        findings(&Examined { given, samples, held_out, fit, richest: richest.unwrap_or(fit), position_error })
+    }
+
     /// Adds a warning to the recommended, else the best candidate, where the clocks of poses and lengths differ.
     fn test_clock(&mut self, samples: &Samples, settings: &fit::Settings) {
         let Some(index) = self.recommended.or(self.best) else { return };
@@ -82,7 +103,17 @@ impl Selection {
 
     fn of(candidates: Vec<JudgedCandidate>, [best, recommended]: [Option<usize>; 2], reason: String) -> Self {
         let rating = Rating::default();
-        Self { candidates, best, recommended, reason, rating, untried: Vec::new(), frames: None, assumed: Vec::new() }
+        Self {
+            candidates,
+            best,
+            recommended,
+            reason,
+            rating,
+            untried: Vec::new(),
+            frames: None,
+            assumed: Vec::new(),
+            findings: Vec::new(),
+        }
     }
 }
 
@@ -159,14 +190,28 @@ pub fn select(
     }
     let mut judged = judge_all(&problem, &candidates, richest.as_ref())?;
     for judgement in judged.iter_mut().filter_map(|candidate| candidate.outcome.as_mut().ok()) {
-        judgement.distrust = distrust(robot, &samples.sigmas, &judgement.validation);
+        let seen = judgement.fit.as_fitted(&samples.subset(&judgement.validation_samples));
+        judgement.distrust = distrust(robot, &judgement.fit.model, &seen, &judgement.validation);
     }
     rating::inform(robot, samples, &mut judged, settings);
-    let mut selection = recommend(judged, settings.criterion);
+    soundness::judge(&mut judged, samples);
+    let mut selection = recommend(judged, Compared::of(robot, settings), settings.criterion);
     let (best, recommended) = (selection.best, selection.recommended);
-    selection.rating =
-        rating::rate(preferences::Outcome { candidates: &selection.candidates, best, recommended }, settings);
-    selection.test_clock(samples, &settings.fit);
+    selection.rating = rating::rate(
+        preferences::Outcome {
+            candidates: &selection.candidates,
+            best,
+            recommended,
+            groups: &repeated_poses(robot, samples),
+        },
+        settings,
+    );
+    let held_out = if let [fold] = folds { &fold.validation[..] } else { &[] };
+    selection.findings = selection.examined(robot, samples, held_out, richest.as_ref().map(|richest| &richest.fit));
+    // a cause that explains the residuals is not asked for again
+    if selection.findings.iter().all(|finding| finding.explains.is_none()) {
+        selection.test_clock(samples, &settings.fit);
+    }
     selection.untried = untried::untried(robot, &candidates, samples.tensions.is_some());
     selection.frames = frames;
     selection.assumed.clone_from(&settings.assumed);
@@ -191,7 +236,9 @@ fn judge_all(
     if let Some(error) = InputError::where_all_failed(&judged) {
         return Err(error);
     }
-    comparison::compare(&mut judged, problem.settings);
+    let groups = repeated_poses(problem.robot, problem.samples);
+    let compared = Compared::of(problem.robot, problem.settings);
+    comparison::compare(&mut judged, &Comparing { settings: problem.settings, compared, groups: &groups });
     Ok(judged)
 }
 
@@ -242,20 +289,21 @@ fn map_all<T>(count: usize, work: impl Fn(usize) -> T) -> Vec<T> {
     (0..count).map(work).collect()
 }
 
-fn recommend(candidates: Vec<JudgedCandidate>, criterion: SelectionCriterion) -> Selection {
+/// Recommends the simplest candidate that is as good as the best and meets the requirements: of sound ones where there is one, else of all.
+fn recommend(candidates: Vec<JudgedCandidate>, compared: Compared, criterion: SelectionCriterion) -> Selection {
     let judged: Vec<(usize, &Judgement)> =
         candidates.iter().enumerate().filter_map(|(index, c)| Some((index, c.outcome.as_ref().ok()?))).collect();
     // parameters on the way to an optimum are those of no model, however good their errors are
-    let finite = || judged.iter().filter(|(_, own)| own.criterion.is_finite() && own.has_converged());
-    let Some(&(best, best_judgement)) = finite().min_by(|a, b| a.1.criterion.total_cmp(&b.1.criterion)) else {
+    let finite = || judged.iter().filter(|(_, own)| own.compared_mean.is_finite() && own.has_converged());
+    let Some(&(best, best_judgement)) = finite().min_by(|a, b| a.1.compared_mean.total_cmp(&b.1.compared_mean)) else {
         let reason = nobody(&judged, &candidates, criterion);
         return Selection::of(candidates, [None, None], reason);
     };
-    let error = if best_judgement.standard_error.is_finite() { best_judgement.standard_error } else { 0.0 };
-    let limit = best_judgement.criterion + error;
-    let near = |judgement: &Judgement| judgement.criterion <= limit;
-    let chosen = finite().find(|(_, judgement)| near(judgement) && judgement.meets_requirements());
-    let text = Reason { names: &candidates, criterion, best, limit };
+    let is_as_good =
+        |own: &Judgement| own.difference.is_some_and(|difference| difference.is_none(best_judgement.compared_mean));
+    let as_good = || finite().filter(|(_, own)| is_as_good(own) && own.meets_requirements());
+    let chosen = as_good().find(|(_, own)| own.unsound.is_none()).or_else(|| as_good().next());
+    let text = Reason { names: &candidates, criterion, compared, best, best_mean: best_judgement.compared_mean };
     let (recommended, reason) = match chosen {
         Some(&(index, judgement)) => (Some(index), text.for_choice(index, judgement, &judged)),
         None => (None, text.for_none(&judged)),

@@ -3,6 +3,8 @@
 use std::path::{Path, PathBuf};
 use std::str::FromStr;
 
+use cdpr_calibration::{Screened, repeated_of, screened};
+use cdpr_model::finding::{Finding, FindingKind, Severity};
 use cdpr_model::measurement::{
     InternalSamples, Known, MeasurementFile, ReadingOptions, Samples, SensorSigmas, Sidecar,
 };
@@ -228,6 +230,37 @@ impl Source {
     fn file(&self) -> MeasurementFile<'_> {
         MeasurementFile { bytes: &self.bytes, name: &self.name, options: &self.options }
     }
+}
+
+/// The samples without rows that repeat others or that a stuck sensor spoils, which are told.
+pub(crate) fn screen(samples: Samples, model: &Model, output: &Output) -> Samples {
+    let Screened { samples, findings } = screened(model.robot(), &samples);
+    findings.iter().for_each(|finding| output.doubt(finding));
+    samples
+}
+
+/// The samples for validation without rows that the fit has seen, which are told; an error where these are more than half.
+pub(crate) fn unseen(train: &Samples, other: Samples, path: &Path, output: &Output) -> Result<Samples, Failure> {
+    let seen = repeated_of(&other, train);
+    if seen.is_empty() {
+        return Ok(other);
+    }
+    let (name, count, all) = (path.display(), seen.len(), other.len());
+    if 2 * count > all {
+        let what = match count == all {
+            true => "the validation file is the training file: all of its rows are in both".to_owned(),
+            false => format!("{count} of {all} rows are rows of the training file, too"),
+        };
+        let message = format!("{name}: {what}: errors on them tell nothing of other data");
+        let help = "record poses anew for the validation, or leave --validation out: parts of the data are then held out in turn";
+        return Err(Failure::input("data::validation-is-training", message, help));
+    }
+    let text = format!(
+        "{name}: {count} of {all} rows are rows of the training file, too: they are left out of the validation"
+    );
+    output.doubt(&Finding::new(FindingKind::Repeat, Severity::Caution, text).of_size(count as f64, "rows"));
+    let kept: Vec<usize> = (0..all).filter(|sample| seen.binary_search(sample).is_err()).collect();
+    Ok(other.subset(&kept))
 }
 
 /// Reasons against options where poses are not measured.

@@ -2,9 +2,10 @@
 
 use cdpr_calibration::fit::{Fit, Settings};
 use cdpr_calibration::{
-    CourseStep, CrossValidation, CrossValidationError, ErrorBlocks, Evaluation, Loss, ObjectiveValues, Progress,
-    clock_warning, course, cross_validate, evaluate_fitted, evaluate_given, frame_warning,
+    CourseStep, CrossValidation, CrossValidationError, ErrorBlocks, Evaluation, Examined, Loss, ObjectiveValues,
+    Progress, clock_warning, course, cross_validate, evaluate_fitted, evaluate_given, findings, frame_warning,
 };
+use cdpr_model::finding::Finding;
 use cdpr_model::measurement::{Fold, Samples};
 use cdpr_model::model::{FreeParameters, Model};
 
@@ -46,6 +47,8 @@ pub struct Identification {
     pub frame_warning: Option<String>,
     /// Validation samples that no error counts, in words.
     pub set_aside_warning: Option<String>,
+    /// What data, numbers and statics deny of the fit.
+    pub findings: Vec<Finding>,
 }
 
 /// Identifies a model and judges it; `progress` is called after each start of each fit.
@@ -60,7 +63,6 @@ pub fn identify(
     let CrossValidation { mut fit, part, after, before } =
         cross_validate(model, samples, free, settings, folds, progress)?;
     let own = samples.subset(&part);
-    fit.warnings.extend(clock_warning(&fit, &own, free, settings));
     let validation = match other {
         Some(other) => Some((
             evaluate_fitted(&fit.model, &fit.as_fitted(other))?,
@@ -82,6 +84,13 @@ pub fn identify(
     let errors = evaluate_fitted(&fit.model, &fit.as_fitted(&own).subset(&trusted))?;
     let errors_before = evaluate_given(model, &train_samples, free)?;
     fit.renumber_outliers(&part);
+    let mean = |blocks: &ErrorBlocks| blocks.position_error_m.mean;
+    let position_error = validation.as_ref().map_or_else(|| mean(&errors.blocks()), |[after, _]| mean(after));
+    let found = examined(model, samples, other, &fit, position_error);
+    // a cause that explains the residuals is not asked for again
+    if found.iter().all(|finding| finding.explains.is_none()) {
+        fit.warnings.extend(clock_warning(&fit, &own, free, settings));
+    }
     let values = |errors| ObjectiveValues::of(model, &train_samples, errors, settings.rotation_length);
     Ok(Identification {
         sample_count: own.len(),
@@ -96,7 +105,16 @@ pub fn identify(
         course,
         frame_warning,
         set_aside_warning,
+        findings: found,
     })
+}
+
+/// What the samples of the fit and those that judge it, the file's numbers and statics deny of the fit.
+fn examined(model: &Model, samples: &Samples, other: Option<&Samples>, fit: &Fit, position_error: f64) -> Vec<Finding> {
+    let joined = other.and_then(|other| samples.followed_by(other).ok());
+    let held_out: Vec<usize> = joined.as_ref().map_or_else(Vec::new, |all| (samples.len()..all.len()).collect());
+    let (samples, given) = (joined.as_ref().unwrap_or(samples), model.robot());
+    findings(&Examined { given, samples, held_out: &held_out, fit, richest: fit, position_error })
 }
 
 /// Errors after and before without the samples that neither model explains, and how many these are, in words.

@@ -4,6 +4,7 @@ use super::course::{Place, Question};
 use crate::bootstrap;
 use crate::evaluation::evaluate_fitted;
 use crate::fit::InputError;
+use crate::paired::{as_good_as_best, repeated_poses};
 use crate::point_robot::{as_point, without_rotation};
 use cdpr_model::measurement::{Fold, Samples};
 use cdpr_model::model::Model;
@@ -59,11 +60,12 @@ pub(super) fn validated(
     let errors: Vec<f64> = series.iter().map(|errors| errors.iter().sum::<f64>() / errors.len() as f64).collect();
     let seed = question.settings.seed;
     let standard_errors: Vec<f64> = series.iter().map(|errors| bootstrap::standard_error(errors, seed)).collect();
-    let finite = (0..errors.len()).filter(|&place| errors[place].is_finite());
-    let best = finite.min_by(|&a, &b| errors[a].total_cmp(&errors[b])).unwrap_or(0);
-    let room = if standard_errors[best].is_finite() { standard_errors[best] } else { 0.0 };
-    // penalties fall along the path: the first place within reach is the simplest
-    let chosen = errors.iter().position(|error| *error <= errors[best] + room).unwrap_or(best);
+    let poses = repeated_poses(question.model.robot(), samples);
+    let held: Vec<usize> = folds.iter().flat_map(|fold| fold.validation.iter().copied()).collect();
+    let groups: Vec<usize> = common.iter().map(|&place| poses[held[place]]).collect();
+    let Some((best, as_good)) = as_good_as_best(&series, &groups, seed) else { return Ok(None) };
+    // penalties fall along the path: the first place that is as good is the simplest
+    let chosen = as_good.iter().position(|as_good| *as_good).unwrap_or(best);
     Ok(Some(Validated { errors, standard_errors, best, chosen }))
 }
 

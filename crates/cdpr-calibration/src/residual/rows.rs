@@ -150,6 +150,8 @@ pub(crate) struct GroupRows {
     pub(crate) conventions: usize,
     /// Jacobian in units of the rows' noise.
     pub(crate) weighted: TriangularFactor,
+    /// The same row by row, sample by sample.
+    pub(crate) weighted_rows: DMatrix<f64>,
     /// Residuals in these units, one series over the samples for each row of a sample.
     pub(crate) series: Vec<Vec<f64>>,
 }
@@ -164,6 +166,7 @@ impl GroupRows {
             plain: TriangularFactor::of(&(rows.jacobian.rows(0, rows.layout.data) * unit.unwrap_or(1.0))),
             conventions: rows.layout.conventions,
             weighted: TriangularFactor::of(&rows.jacobian),
+            weighted_rows: rows.jacobian.clone(),
             series: rows.series(),
         }
     }

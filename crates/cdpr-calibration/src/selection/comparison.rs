@@ -3,17 +3,65 @@
 use super::settings::Settings;
 use super::{HeldOut, JudgedCandidate, Judgement, SelectionCriterion};
 use crate::bootstrap;
+use crate::evaluation::Evaluation;
 use crate::loss::Loss;
 use crate::outliers::unexplained;
+use crate::paired::{Difference, platform_radius};
+use cdpr_model::robot::Robot;
 
 /// Share of the validation samples that a candidate must answer: the mean of the rest alone would flatter it.
 const LEAST_ANSWERED: f64 = 0.95;
 
-/// Writes criterion and standard error of every candidate, and why the others cannot be compared.
+/// The error of a sample by which candidates are compared.
+#[derive(Clone, Copy)]
+pub(super) enum Compared {
+    /// That of the criterion alone.
+    Criterion(SelectionCriterion),
+    /// √(‖Δr‖² + (L Δθ)²), L the root mean square distance of the platform anchors from their origin (m).
+    Pose(f64),
+}
+
+impl Compared {
+    /// The whole pose where a robot turns and the criterion does not decide alone.
+    pub(super) fn of(robot: &Robot, settings: &Settings) -> Self {
+        let is_of_poses = settings.criterion == SelectionCriterion::Position && !settings.decides_alone;
+        match is_of_poses && robot.motion_pattern.has_rotation() {
+            true => Self::Pose(platform_radius(robot)),
+            false => Self::Criterion(settings.criterion),
+        }
+    }
+
+    /// True where the errors are distances (m).
+    fn is_distance(self) -> bool {
+        !matches!(self, Self::Criterion(SelectionCriterion::Rotation | SelectionCriterion::Tension))
+    }
+
+    /// The error of each sample.
+    pub(super) fn errors(self, evaluation: &Evaluation) -> Vec<f64> {
+        match self {
+            Self::Criterion(criterion) => criterion.of(evaluation),
+            Self::Pose(radius) => {
+                let of = |(distance, angle): (&f64, &f64)| distance.hypot(radius * angle);
+                evaluation.position.iter().zip(&evaluation.rotation).map(of).collect()
+            }
+        }
+    }
+}
+
+/// How the errors of samples are compared.
+pub(super) struct Comparing<'a> {
+    pub(super) settings: &'a Settings,
+    pub(super) compared: Compared,
+    /// A number for every sample of the data, the same for repeated poses.
+    pub(super) groups: &'a [usize],
+}
+
+/// Writes criterion, standard error and difference to the best of every candidate, and why the others cannot be compared.
 ///
 /// A sample that one of the compared candidates leaves without an answer counts for none of them, so that all means are
 /// over the same samples.
-pub(super) fn compare(candidates: &mut [JudgedCandidate], settings: &Settings) {
+pub(super) fn compare(candidates: &mut [JudgedCandidate], comparing: &Comparing<'_>) {
+    let settings = comparing.settings;
     let Settings { criterion, seed, .. } = *settings;
     let mut judgements: Vec<&mut Judgement> =
         candidates.iter_mut().filter_map(|candidate| candidate.outcome.as_mut().ok()).collect();
@@ -34,7 +82,31 @@ pub(super) fn compare(candidates: &mut [JudgedCandidate], settings: &Settings) {
         (judgement.criterion, judgement.standard_error) = (criterion, standard_error);
         judgement.compared_samples = samples;
     }
+    write_differences(&mut judgements, &common, comparing);
     compare_regions(&mut judgements, settings);
+}
+
+/// Writes the differences of the compared candidates to the best of those whose fit converged, on the samples that all of them answer.
+fn write_differences(judgements: &mut [&mut Judgement], common: &[usize], comparing: &Comparing<'_>) {
+    let mut compared: Vec<&mut &mut Judgement> =
+        judgements.iter_mut().filter(|judgement| judgement.disqualified.is_none()).collect();
+    let of_common = |judgement: &Judgement| -> Vec<f64> {
+        let errors = comparing.compared.errors(&judgement.validation_errors);
+        common.iter().map(|&sample| errors[sample]).collect()
+    };
+    let series: Vec<Vec<f64>> = compared.iter().map(|judgement| of_common(judgement)).collect();
+    for (judgement, series) in compared.iter_mut().zip(&series) {
+        judgement.compared_mean = series.iter().sum::<f64>() / series.len() as f64;
+    }
+    let finite = compared.iter().enumerate().filter(|(_, own)| own.has_converged() && own.compared_mean.is_finite());
+    let best = finite.min_by(|a, b| a.1.compared_mean.total_cmp(&b.1.compared_mean)).map(|(place, _)| place);
+    let Some(best) = best else { return };
+    let group = |&place: &usize| comparing.groups.get(compared[best].validation_samples[place]).copied();
+    let groups: Vec<usize> = common.iter().map(|place| group(place).unwrap_or(*place)).collect();
+    for (judgement, own) in compared.iter_mut().zip(&series) {
+        judgement.is_compared_by_distance = comparing.compared.is_distance();
+        judgement.difference = Some(Difference::to_best(&series[best], own, &groups, comparing.settings.seed));
+    }
 }
 
 /// Criterion on the regions left out besides, for the candidates that are compared.

@@ -7,7 +7,9 @@ use crate::candidate::Candidate;
 use crate::evaluation::{ErrorBlocks, Evaluation, EvaluationError};
 use crate::fit::{self, Fit};
 use crate::likelihood::Information;
+use crate::paired::Difference;
 use crate::plausibility::Distrust;
+use cdpr_model::finding::Finding;
 use cdpr_model::model::ModelError;
 
 /// One candidate with everything known about it.
@@ -40,6 +42,14 @@ pub struct Judgement {
     pub criterion: f64,
     /// Its standard error by block bootstrap.
     pub standard_error: f64,
+    /// Mean of the errors by which candidates are compared, on the same samples: those of the criterion, or of the whole pose; NaN for one that is not compared.
+    pub compared_mean: f64,
+    /// Difference of these errors to those of the best candidate; `None` for one that is not compared.
+    pub difference: Option<Difference>,
+    /// True where these errors are distances (m).
+    pub is_compared_by_distance: bool,
+    /// Reason why nobody should rely on the candidate's parameters; `None` for a sound one.
+    pub unsound: Option<Finding>,
     /// Number of those samples.
     pub compared_samples: usize,
     /// Places of the validation samples that no candidate explains; they are in no error figure but `validation_errors`.
@@ -80,6 +90,10 @@ impl Judgement {
             validation_samples,
             criterion: f64::NAN,
             standard_error: f64::NAN,
+            compared_mean: f64::NAN,
+            difference: None,
+            is_compared_by_distance: false,
+            unsound: None,
             compared_samples: 0,
             set_aside: Vec::new(),
             disqualified: None,

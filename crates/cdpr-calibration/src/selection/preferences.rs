@@ -4,8 +4,8 @@ use serde::Serialize;
 
 use super::settings::Settings;
 use super::{JudgedCandidate, Judgement, SelectionCriterion};
-use crate::bootstrap;
 use crate::likelihood::Information;
+use crate::paired::as_good_as_best;
 
 /// Differences of information criteria that say nothing (Burnham and Anderson 2002, section 2.6; Kass and Raftery 1995).
 const NOTHING: f64 = 2.0;
@@ -56,6 +56,8 @@ pub(super) struct Outcome<'a> {
     pub(super) candidates: &'a [JudgedCandidate],
     pub(super) best: Option<usize>,
     pub(super) recommended: Option<usize>,
+    /// A number for every sample of the data, the same for repeated poses; empty where no pose was measured.
+    pub(super) groups: &'a [usize],
 }
 
 /// Candidates that may be chosen, with their indices.
@@ -70,8 +72,8 @@ struct Figure {
     words: String,
     /// Values of all candidates.
     values: Vec<f64>,
-    /// Difference to the least value that says nothing.
-    room: f64,
+    /// Candidates that the figure does not tell from its best.
+    as_good: Vec<bool>,
 }
 
 /// Choice of every criterion that rates at least one candidate, that of the comparison first.
@@ -87,8 +89,11 @@ pub(super) fn preferences(selection: Outcome<'_>, settings: &Settings) -> Vec<Pr
 fn decided(selection: Outcome<'_>, settings: &Settings) -> Vec<Preference> {
     let kind = settings.criterion;
     let values = of_compared(selection, |judgement| judgement.criterion);
-    let figure = |name, words: String| Figure { name, words, values: values.clone(), room: 0.0 };
-    let by_rule = figure("one-standard-error", format!("the {kind} within one standard error (the rule that decides)"));
+    let figure = |name, words: String| Figure::within(name, words, values.clone(), 0.0);
+    let by_rule = figure(
+        "one-standard-error",
+        format!("the {kind} as good as the best on the same samples (the rule that decides)"),
+    );
     let least = figure("least-error", format!("the least {kind}"));
     let rule = selection.recommended.map(|index| by_rule.preference(selection, index));
     rule.into_iter().chain(least.choice(selection)).collect()
@@ -106,7 +111,7 @@ fn information(selection: Outcome<'_>) -> Vec<Figure> {
         })
     };
     let kind = if rows.with_wrenches { "wrenches and lengths" } else { "lengths" };
-    let figure = |name, title, values| Figure { name, words: format!("{title} of {kind}"), values, room: NOTHING };
+    let figure = |name, title, values| Figure::within(name, format!("{title} of {kind}"), values, NOTHING);
     vec![figure("aic", "AIC", read(|one| one.aicc)), figure("bic", "BIC", read(|one| one.bic))]
 }
 
@@ -114,33 +119,40 @@ fn information(selection: Outcome<'_>) -> Vec<Figure> {
 fn regions(selection: Outcome<'_>, settings: &Settings) -> Option<Figure> {
     let read = |judgement: &Judgement| judgement.regions.map_or(f64::NAN, |held| held.criterion);
     let values = of_compared(selection, read);
-    let error = |index: usize| Some(selection.candidates[index].outcome.as_ref().ok()?.regions?.standard_error);
-    let room = least(&values).and_then(|(index, _)| error(index))?;
+    let mut series = vec![Vec::new(); selection.candidates.len()];
+    for (index, judgement) in compared(selection.candidates) {
+        series[index] = judgement.region_errors.as_ref().map_or_else(Vec::new, |errors| settings.criterion.of(errors));
+    }
+    let told = || series.iter().filter(|series| !series.is_empty());
+    let samples = told().map(Vec::len).min().unwrap_or(0);
+    let common: Vec<usize> = (0..samples).filter(|&sample| told().all(|series| series[sample].is_finite())).collect();
+    let series: Vec<Vec<f64>> = series.iter().map(|own| at(own, &common)).collect();
+    let (_, as_good) = as_good_as_best(&series, &common, settings.seed)?;
     let words = format!("the {} on regions left out", settings.criterion);
-    Some(Figure { name: "leave-region-out", words, values, room })
+    Some(Figure { name: "leave-region-out", words, values, as_good })
 }
 
 /// Mean and largest errors of every kind, for tasks that ask for these.
 fn tasks(selection: Outcome<'_>, settings: &Settings) -> Vec<Figure> {
     let mut figures = Vec::new();
     for (name, kind) in MEANS.into_iter().filter(|(_, kind)| *kind != settings.criterion) {
-        let series = common_series(selection, kind);
+        let (series, groups) = common_series(selection, kind);
         let values: Vec<f64> = series.iter().map(|series| mean(series)).collect();
-        let Some((best, _)) = least(&values) else { continue };
-        let room = bootstrap::standard_error(&series[best], settings.seed);
-        figures.push(Figure { name, words: format!("the {kind}"), values, room });
+        let Some((_, as_good)) = as_good_as_best(&series, &groups, settings.seed) else { continue };
+        figures.push(Figure { name, words: format!("the {kind}"), values, as_good });
     }
     for (name, words, kind) in LARGEST {
-        let values: Vec<f64> = common_series(selection, kind).iter().map(|series| largest(series)).collect();
+        let values: Vec<f64> = common_series(selection, kind).0.iter().map(|series| largest(series)).collect();
         let Some((_, value)) = least(&values) else { continue };
-        figures.push(Figure { name, words: words.to_owned(), values, room: SAME_LARGEST * value });
+        figures.push(Figure::within(name, words.to_owned(), values, SAME_LARGEST * value));
     }
     figures.retain(|figure| figure.values.iter().any(|&value| value > ROUNDING));
     figures
 }
 
-/// Errors of every candidate on the validation samples that all compared ones answer and that some explain; empty for the others.
-fn common_series(selection: Outcome<'_>, kind: SelectionCriterion) -> Vec<Vec<f64>> {
+/// Errors of every candidate on the validation samples that all compared ones answer and that some explain, empty for the others, and the numbers of the poses
+/// of these samples.
+fn common_series(selection: Outcome<'_>, kind: SelectionCriterion) -> (Vec<Vec<f64>>, Vec<usize>) {
     let mut series = vec![Vec::new(); selection.candidates.len()];
     for (index, judgement) in compared(selection.candidates) {
         let own = kind.of(&judgement.validation_errors);
@@ -155,11 +167,15 @@ fn common_series(selection: Outcome<'_>, kind: SelectionCriterion) -> Vec<Vec<f6
     let is_common =
         |&sample: &usize| set_aside.binary_search(&sample).is_err() && told().all(|series| series[sample].is_finite());
     let common: Vec<usize> = (0..samples).filter(is_common).collect();
-    let of_common = |series: &Vec<f64>| match series.is_empty() {
-        true => Vec::new(),
-        false => common.iter().map(|&sample| series[sample]).collect(),
-    };
-    series.iter().map(of_common).collect()
+    let places = compared(selection.candidates).next().map_or(&[][..], |(_, own)| &own.validation_samples);
+    let group = |place: &usize| selection.groups.get(*places.get(*place)?).copied();
+    let groups = common.iter().map(|place| group(place).unwrap_or(*place)).collect();
+    (series.iter().map(|own| at(own, &common)).collect(), groups)
+}
+
+/// The values at places; none of an empty series.
+fn at(series: &[f64], places: &[usize]) -> Vec<f64> {
+    if series.is_empty() { Vec::new() } else { places.iter().map(|&place| series[place]).collect() }
 }
 
 fn mean(series: &[f64]) -> f64 {
@@ -184,11 +200,16 @@ fn least(values: &[f64]) -> Option<(usize, f64)> {
 }
 
 impl Figure {
+    /// A figure that does not tell values from its least that lie within some room of it.
+    fn within(name: &'static str, words: String, values: Vec<f64>, room: f64) -> Self {
+        let limit = least(&values).map_or(f64::NAN, |(_, least)| least + if room.is_finite() { room } else { 0.0 });
+        let as_good = values.iter().map(|value| *value <= limit).collect();
+        Self { name, words, values, as_good }
+    }
+
     /// The simplest candidate that is not told from the best.
     fn choice(self, selection: Outcome<'_>) -> Option<Preference> {
-        let (_, least) = least(&self.values)?;
-        let limit = least + if self.room.is_finite() { self.room } else { 0.0 };
-        let index = self.values.iter().position(|value| *value <= limit)?;
+        let index = self.as_good.iter().position(|as_good| *as_good)?;
         Some(self.preference(selection, index))
     }
 

@@ -1,5 +1,6 @@
 //! Words for the outcome of a comparison.
 
+use super::comparison::Compared;
 use super::{JudgedCandidate, Judgement, SelectionCriterion};
 
 /// The reason where no candidate can be compared.
@@ -30,39 +31,50 @@ pub(super) fn nobody(
 pub(super) struct Reason<'a> {
     pub(super) names: &'a [JudgedCandidate],
     pub(super) criterion: SelectionCriterion,
+    pub(super) compared: Compared,
     pub(super) best: usize,
-    pub(super) limit: f64,
+    /// Mean of the errors by which the best one is compared.
+    pub(super) best_mean: f64,
 }
 
 impl Reason<'_> {
     pub(super) fn for_choice(&self, index: usize, judgement: &Judgement, judged: &[(usize, &Judgement)]) -> String {
         let name = |index: usize| &self.names[index].name;
-        let (words, value) = (self.criterion.to_string(), self.value(judgement));
-        let limit = self.limit(judged);
+        let value = self.value(judgement);
         let mut text = match index == self.best {
             true => format!(
-                "`{}` has the smallest {words} on validation data, {value}, and no simpler candidate comes within one \
-                 standard error of it ({limit})",
-                name(index)
+                "`{}` has the smallest {} on validation data ({value}), and no simpler candidate is as good on the same samples",
+                name(index),
+                self.words()
             ),
             false => format!(
-                "`{}` is the simplest candidate whose {words} on validation data, {value}, lies within one standard error \
-                 ({limit}) of the best, `{}`",
+                "`{}` is the simplest candidate that is as good as the best, `{}`, on the same validation samples: {value}; its {} is {} than that \
+                 of the best",
                 name(index),
-                name(self.best)
+                name(self.best),
+                self.words(),
+                self.difference(judgement)
             ),
         };
         let simpler = judged.iter().rev().find(|(other, _)| *other < index);
         if let Some((other, rejected)) = simpler {
-            let why = if rejected.criterion <= self.limit { "but breaks a requirement" } else { "" };
+            let why = match self.is_near(rejected) {
+                true if rejected.unsound.is_some() => "but nobody should rely on its parameters",
+                true => "but breaks a requirement",
+                false => "",
+            };
             let has = match &rejected.disqualified {
                 Some(why) => format!("cannot be judged: {why}"),
                 None if !rejected.has_converged() => "did not converge".to_owned(),
                 None => format!("has {} {why}", self.value(rejected)),
             };
+            let has = match rejected.disqualified.is_none() && rejected.has_converged() && why.is_empty() {
+                true => format!("{}, {} than the best", has.trim_end(), self.difference(rejected)),
+                false => has,
+            };
             text.push_str(format!("; the next simpler one, `{}`, {has}", name(*other)).trim_end());
         }
-        let ended_early = |(_, other): &&(usize, &Judgement)| !other.has_converged() && other.criterion <= self.limit;
+        let ended_early = |(_, other): &&(usize, &Judgement)| !other.has_converged() && self.is_near(other);
         if let Some((other, early)) = judged.iter().find(ended_early) {
             let value = self.value(early);
             text.push_str(&format!(
@@ -86,12 +98,20 @@ impl Reason<'_> {
         let best = judged.iter().find(|(index, _)| *index == self.best);
         let broken = best.into_iter().flat_map(|(_, judgement)| &judgement.requirements).filter(|r| !r.met);
         let broken: Vec<String> = broken.map(ToString::to_string).collect();
+        let value = best.map_or_else(String::new, |(_, judgement)| format!(" ({})", self.value(judgement)));
         format!(
-            "no candidate within one standard error of the best, `{}` ({}), meets the requirements; it breaks: {}",
+            "no candidate that is as good as the best, `{}`{value}, on the same samples meets the requirements; it breaks: {}",
             self.names[self.best].name,
-            self.limit(judged),
             if broken.is_empty() { "none itself".to_owned() } else { broken.join(", ") }
         )
+    }
+
+    /// The error by which candidates are compared, in words.
+    fn words(&self) -> String {
+        match self.compared {
+            Compared::Criterion(criterion) => criterion.to_string(),
+            Compared::Pose(_) => "mean pose error (distance and turn of the platform anchors together)".to_owned(),
+        }
     }
 
     /// The criterion of a candidate with its standard error.
@@ -99,10 +119,14 @@ impl Reason<'_> {
         self.criterion.format_with_error(judgement.criterion, judgement.standard_error)
     }
 
-    /// The limit, to the digits of the best candidate's standard error, out of which it is made.
-    fn limit(&self, judged: &[(usize, &Judgement)]) -> String {
-        let best = judged.iter().find(|(index, _)| *index == self.best);
-        let error = best.map_or(f64::NAN, |(_, judgement)| judgement.standard_error);
-        self.criterion.format_within(self.limit, error)
+    /// The difference of a candidate to the best, which is never less than nothing by much.
+    fn difference(&self, judgement: &Judgement) -> String {
+        judgement.difference.map_or_else(String::new, |found| {
+            format!("{} larger", self.criterion.format_with_error(found.mean, found.standard_error))
+        })
+    }
+
+    fn is_near(&self, judgement: &Judgement) -> bool {
+        judgement.difference.is_some_and(|found| found.is_none(self.best_mean))
     }
 }

@@ -8,6 +8,9 @@ use crate::fit::{self, Prior};
 pub struct Settings {
     /// The error that decides.
     pub criterion: SelectionCriterion,
+    /// Whether it decides alone. Otherwise errors of positions are compared together with those of orientations, as the distance by which they move the
+    /// platform anchors.
+    pub decides_alone: bool,
     /// Limits that a recommended candidate must keep on validation data.
     pub requirements: Vec<Requirement>,
     /// Priors, held parameters and tolerances of every fit.

@@ -6,7 +6,8 @@ use crate::fit::{Estimate, Fit, Prior};
 use crate::outliers::set_aside_warning;
 use crate::plausibility::Distrust;
 use crate::verdict::{Doubt, DoubtKind, Verdict};
-use cdpr_model::measurement::Samples;
+use cdpr_model::finding::Finding;
+use cdpr_model::measurement::{Samples, three_digits};
 
 /// Warnings in the order in which they are told: doubts about the outcome itself, which stand before it, then remarks about data and fit.
 #[derive(Clone, Debug, Default, PartialEq)]
@@ -72,6 +73,7 @@ impl Judgement {
         let fit = &self.fit;
         let doubts: Vec<Doubt> =
             self.distrust.reasons.iter().cloned().chain(fit.outlier_doubt()).chain(fit.doubts()).collect();
+        let doubts = [doubts, self.unsound.iter().cloned().map(Doubt::from).collect()].concat();
         Verdict::of_fit(&doubts)
     }
 }
@@ -100,6 +102,8 @@ impl Selection {
             Some((self.candidates[given].name.as_str(), [&judged(given)?.validation, &judgement.validation]))
         });
         let mut of_data = of_data.clone();
+        of_data.doubts.extend(self.findings.iter().cloned().map(Doubt::from));
+        of_data.doubts.extend(self.unsound(judgement));
         of_data.doubt(DoubtKind::Frames, self.frames.clone());
         for prior in &self.assumed {
             of_data.doubt(DoubtKind::Prior, beyond(prior, &judgement.fit));
@@ -107,6 +111,30 @@ impl Selection {
         of_data.remarks.extend(unanswered(judgement));
         of_data.remarks.extend(self.assumed.iter().filter_map(|prior| assumption(prior, &judgement.fit)));
         judgement.fit.gathered(&judgement.distrust, today, of_comparison(judgement, samples), &of_data)
+    }
+}
+
+impl Selection {
+    /// The reason why nobody should rely on a candidate, with the best one that is sound beside it.
+    fn unsound(&self, judgement: &Judgement) -> Option<Doubt> {
+        let finding = judgement.unsound.clone()?;
+        let judged = self.candidates.iter().filter_map(|one| Some((&one.name, one.outcome.as_ref().ok()?)));
+        let sound = judged.filter(|(_, own)| {
+            own.unsound.is_none()
+                && own.has_converged()
+                && own.compared_mean.is_finite()
+                && own.distrust.reasons.is_empty()
+        });
+        let best = sound.min_by(|a, b| a.1.compared_mean.total_cmp(&b.1.compared_mean));
+        let text = match best {
+            Some((name, own)) => format!(
+                "{}; the best sound candidate is `{name}`, with a mean position error of {} mm",
+                finding.text,
+                three_digits(1e3 * own.validation.position_error_m.mean)
+            ),
+            None => format!("{}; no candidate is sound", finding.text),
+        };
+        Some(Doubt::from(Finding { text, ..finding }))
     }
 }
 

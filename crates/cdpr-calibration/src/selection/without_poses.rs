@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use super::comparison::{Compared, Comparing};
 use super::settings::Settings;
 use super::{CandidateFailure, InputError, JudgedCandidate, Judgement, Selection, SelectionCriterion};
 use super::{comparison, map_all, preferences, rating, recommend, untried};
@@ -20,7 +21,7 @@ use cdpr_model::robot::Robot;
 /// recommends one as [`select`](super::select) does; with the samples at the poses that the candidate shown finds.
 ///
 /// Each validation sample has the pose that its own rows tell, by the model as it is; its errors are residuals scaled for what the pose takes up of them. Models that
-/// stand within one standard error of the best are named as not told apart.
+/// are as good as the best on the same samples are named as not told apart.
 pub fn select_without_poses(
     robot: &Robot,
     candidates: &[Candidate],
@@ -53,15 +54,17 @@ pub fn select_without_poses(
     if let Some(error) = InputError::where_all_failed(&judged) {
         return Err(error);
     }
-    comparison::compare(&mut judged, settings);
+    let compared = Compared::Criterion(settings.criterion);
+    comparison::compare(&mut judged, &Comparing { settings, compared, groups: &[] });
     for judgement in judged.iter_mut().filter_map(|candidate| candidate.outcome.as_mut().ok()) {
-        judgement.distrust = distrust(robot, &internal.samples.sigmas, &judgement.validation);
+        judgement.distrust = distrust(robot, &judgement.fit.model, &internal.samples, &judgement.validation);
     }
-    let mut selection = recommend(judged, settings.criterion);
+    let mut selection = recommend(judged, compared, settings.criterion);
     let outcome = preferences::Outcome {
         candidates: &selection.candidates,
         best: selection.best,
         recommended: selection.recommended,
+        groups: &[],
     };
     selection.rating = rating::rate(outcome, settings);
     selection.untried = untried::untried(robot, candidates, internal.samples.tensions.is_some());
@@ -113,13 +116,12 @@ fn not_told_apart(selection: &Selection, criterion: SelectionCriterion) -> Optio
         let outcomes = selection.candidates.iter().map(|one| (&one.name, one.outcome.as_ref().ok()));
         outcomes.filter_map(|(name, judgement)| Some((name, judgement.filter(|own| own.criterion.is_finite())?)))
     };
-    let best = selection.candidates.get(selection.best?)?.outcome.as_ref().ok()?;
-    let limit = best.criterion + Some(best.standard_error).filter(|error| error.is_finite()).unwrap_or(0.0);
-    let names: Vec<String> =
-        judged().filter(|(_, own)| own.criterion <= limit).map(|(name, _)| format!("`{name}`")).collect();
+    let best_mean = selection.candidates.get(selection.best?)?.outcome.as_ref().ok()?.compared_mean;
+    let is_near = |own: &Judgement| own.difference.is_some_and(|difference| difference.is_none(best_mean));
+    let names: Vec<String> = judged().filter(|(_, own)| is_near(own)).map(|(name, _)| format!("`{name}`")).collect();
     (names.len() > 1).then(|| {
         format!(
-            "; these data do not tell apart {}: the {criterion} of each is within one standard error of the best",
+            "; these data do not tell apart {}: the {criterion} of each is as good as that of the best on the same samples",
             names.join(", ")
         )
     })

@@ -13,6 +13,7 @@ mod support;
 
 mod coverage;
 mod default_ladder;
+mod denied;
 mod elastostatic_oracle;
 mod gtcable;
 mod identification_oracle;

@@ -17,7 +17,7 @@ use cdpr_reports::comparison::{ComparisonData, DataDivision};
 use crate::failure::Failure;
 use crate::files;
 use crate::inputs::RobotArgument;
-use crate::measurements::DataArguments;
+use crate::measurements::{DataArguments, screen, unseen};
 use crate::selecting::{SelectionArguments, write_folder};
 
 const EXAMPLES: &str = "\
@@ -101,10 +101,11 @@ impl Arguments {
 
 impl Arguments {
     fn with_poses(&self, reader: &Model, output: &Output) -> Result<DataDivision, Failure> {
-        let samples = self.data.read(reader, output)?;
+        let samples = screen(self.data.read(reader, output)?, reader, output);
         samples.check().map_err(|error| Failure::refused(&self.data.name(), &error))?;
         let Some(path) = &self.validation else { return self.one_file(samples) };
-        two_files(&samples, &self.data.read_other(path, reader, output)?, path)
+        let other = screen(self.data.read_other(path, reader, output)?, reader, output);
+        two_files(&samples, &unseen(&samples, other, path, output)?, path)
     }
 
     fn one_file(&self, samples: Samples) -> Result<DataDivision, Failure> {

@@ -161,6 +161,7 @@ impl SelectionArguments {
         });
         let settings = Settings {
             criterion,
+            decides_alone: self.criterion.is_some(),
             requirements: self.require.clone(),
             fit,
             seed: self.seed,

@@ -109,7 +109,7 @@ impl EvaluationAnswer {
     ) -> Self {
         let (unanswered, blocks) = (unanswered(evaluation), evaluation.blocks());
         let mut warnings = doubts;
-        warnings.doubts.extend(distrust(model.robot(), &samples.sigmas, &blocks).reasons);
+        warnings.doubts.extend(distrust(model.robot(), model, samples, &blocks).reasons);
         let verdict = Verdict::of_predictions(&warnings.doubts, unanswered.is_none());
         Self {
             robot: model.robot().name.clone(),

@@ -3,6 +3,7 @@
 use cdpr_calibration::fit::Estimate;
 use cdpr_calibration::selection::Warnings;
 use cdpr_calibration::{Analysis, ClockOffset, Doubt, Outlier, Verdict};
+use cdpr_model::finding::Severity;
 
 use super::Answer;
 use super::error_table::{Source, error_table};
@@ -99,7 +100,11 @@ pub(super) fn reason_of(verdict: Verdict, doubts: &[Doubt]) -> Option<String> {
 
 /// Doubts about an answer, which stand before it.
 pub(super) fn doubt_words(doubts: &[Doubt]) -> String {
-    doubts.iter().map(|doubt| format!("caution: {}\n", doubt.words())).collect()
+    let line = |doubt: &Doubt| {
+        let word = if doubt.finding.severity == Severity::Remark { "note" } else { "caution" };
+        format!("{word}: {}\n", doubt.words())
+    };
+    doubts.iter().map(line).collect()
 }
 
 /// A row for every parameter.

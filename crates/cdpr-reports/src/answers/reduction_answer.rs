@@ -49,7 +49,12 @@ impl ReductionAnswer {
         } else {
             format!(", motion pattern {} → {}", before.name(), after.name())
         };
-        let error = fixed(1e3 * self.found.standard_error, decimals);
+        let difference = self.found.difference;
+        let apart = format!(
+            "{} ± {} mm more",
+            fixed(1e3 * difference.mean, decimals + 1),
+            fixed(1e3 * difference.standard_error, decimals + 1)
+        );
         let file = match &self.out {
             Some(out) => format!("written to {out}"),
             None => "`--out-reduced FILE` writes it".to_owned(),
@@ -57,7 +62,9 @@ impl ReductionAnswer {
         [
             format!("{full} → {reduced} parameters{pattern}"),
             format!("{reason}."),
-            format!("Held-out position error, mean: {of_reduced} instead of {of_full} ± {error} mm; {file}"),
+            format!(
+                "Held-out position error, mean: {of_reduced} instead of {of_full} mm, on the same samples {apart}; {file}"
+            ),
         ]
     }
 }

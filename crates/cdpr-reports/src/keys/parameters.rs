@@ -1,5 +1,6 @@
 //! Parameters of a fit beyond their values: courses, profiles, resampling, penalties and scales.
 
+use cdpr_calibration::Difference as PairedDifference;
 use cdpr_calibration::fit::{Profile, ProfilePoint, RowWeights};
 use cdpr_calibration::{
     Conditioning, CourseStep, Influence, KindCondition, KindScale, PathParameter, PathPoint, Reduction, Resampled,
@@ -35,7 +36,10 @@ keys! {
     /// Smaller model that data show, each pair of the full model and the smaller one.
     ReductionKeys of Reduction {
         evidence, reason, patterns, parameter_count, left, position_mean_m, standard_error = "standard_error_m",
+        difference by DifferenceToBestKeys,
     }
+    /// Errors of the smaller model minus those of the full one on the same samples (m).
+    DifferenceToBestKeys of PairedDifference { mean = "mean_m", standard_error = "standard_error_m" }
     /// Condition of the Jacobian of a model on data.
     ConditioningKeys of Conditioning {
         row_weights by RowWeightKeys, parameter_count, rank, condition, condition_unit_columns,

@@ -128,6 +128,13 @@ pub(crate) struct JudgementKeys {
     /// Mean error by which candidates are compared (SI); null for a candidate that cannot be judged by it.
     criterion: f64,
     standard_error: f64,
+    /// Difference of the errors to those of the best candidate on the same samples, by which candidates are compared (m); null where these errors are no distances,
+    /// or the candidate is not compared.
+    #[serde(getter = "difference_m")]
+    difference_m: Option<f64>,
+    /// Standard error of the difference.
+    #[serde(getter = "difference_standard_error_m")]
+    difference_standard_error_m: Option<f64>,
     /// Mean position error as a fraction of the diagonal of the validation positions (eq. 3.5).
     relative_position_error: Option<f64>,
     /// Criterion on regions left out, where they were asked for.
@@ -160,6 +167,15 @@ pub(crate) struct JudgementKeys {
 
 fn status(judgement: &Judgement) -> &'static str {
     judgement.verdict().fit_status()
+}
+
+fn difference_m(judgement: &Judgement) -> Option<f64> {
+    judgement.difference.filter(|_| judgement.is_compared_by_distance).map(|difference| difference.mean)
+}
+
+fn difference_standard_error_m(judgement: &Judgement) -> Option<f64> {
+    let difference = judgement.difference.filter(|_| judgement.is_compared_by_distance)?;
+    Some(difference.standard_error).filter(|error| error.is_finite())
 }
 
 fn folds(judgement: &Judgement) -> Vec<Fold> {

@@ -8,6 +8,7 @@ use crate::residual::rows::GroupRows;
 use cdpr_model::model::Model;
 use cdpr_model::scalar::TriangularFactor;
 use cdpr_model::statics::Load;
+use nalgebra::DMatrix;
 
 impl BalanceResidual<'_> {
     /// All rows of the model at its optimum.
@@ -23,6 +24,7 @@ impl BalanceResidual<'_> {
             (0..samples.cable_count).map(|cable| TriangularFactor::new(own(cable).len())).collect();
         let wrench_rows = rows.count - samples.cable_count;
         let mut residuals = vec![Vec::with_capacity(samples.len()); rows.count];
+        let mut all = Vec::with_capacity(samples.len() * rows.count * parameters.len());
         for sample in 0..samples.len() {
             at.write(&row_model, samples, sample, &mut rows);
             rows.derivatives().take(wrench_rows).for_each(|row| plain.push(row.iter().copied()));
@@ -30,7 +32,10 @@ impl BalanceResidual<'_> {
                 factor.push(row[own(cable)].iter().copied());
             }
             at.whiten(sample, &mut rows);
-            rows.derivatives().for_each(|row| weighted.push(row.iter().copied()));
+            for row in rows.derivatives() {
+                weighted.push(row.iter().copied());
+                all.extend_from_slice(row);
+            }
             residuals.iter_mut().enumerate().for_each(|(row, residuals)| residuals.push(rows.residual(row)));
         }
         for (cable, factor) in of_lengths.into_iter().enumerate() {
@@ -48,6 +53,7 @@ impl BalanceResidual<'_> {
             plain,
             conventions: 0,
             weighted,
+            weighted_rows: DMatrix::from_row_slice(count, parameters.len(), &all),
             series: residuals,
         };
         Ok(vec![group])

@@ -130,6 +130,7 @@ impl Residual for LengthResidual<'_> {
                 plain,
                 conventions: 0,
                 weighted: TriangularFactor::of(&weighted),
+                weighted_rows: weighted,
                 series: vec![residuals],
             }
         };

@@ -1,7 +1,9 @@
 //! Data with poses: parameters that explain the recorded lengths at measured poses.
 
+use std::path::PathBuf;
 use std::process::ExitCode;
 
+use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;
 use cdpr_reports::answers::{IdentificationAnswer, Told};
 
@@ -10,6 +12,7 @@ use super::{Arguments, path, report, scaling, uncertainty};
 use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files;
+use crate::measurements::{screen, unseen};
 use crate::progress::Progress;
 
 /// Fits the model, judges it, and writes the files that are asked for.
@@ -17,10 +20,13 @@ pub(super) fn run(arguments: &Arguments, model: &Model, output: &mut Output) -> 
     if let Some(option) = arguments.frame.asked().or(arguments.out_poses.as_ref().map(|_| "--out-poses")) {
         return Err(poses_are_there(&arguments.data.name(), option));
     }
-    let samples = arguments.data.read(model, output)?;
+    let samples = screen(arguments.data.read(model, output)?, model, output);
     samples.check().map_err(|error| Failure::refused(&arguments.data.name(), &error))?;
-    let other = arguments.validation.as_ref().map(|path| arguments.data.read_other(path, model, output));
-    let other = other.transpose()?;
+    let read_other = |path: &PathBuf| -> Result<Samples, Failure> {
+        let other = screen(arguments.data.read_other(path, model, output)?, model, output);
+        unseen(&samples, other, path, output)
+    };
+    let other = arguments.validation.as_ref().map(read_other).transpose()?;
     let drive = arguments.drive.read(arguments.seed)?;
     let progress = Progress::of(1, "identifying");
     let task = Task { model, samples: &samples, arguments, drive: drive.as_ref(), progress: &progress };

@@ -1,0 +1,493 @@
+//! One search of the residuals by cable, time and place, and the explanation that beats the others.
+
+use nalgebra::{DVector, Matrix6, Vector6};
+
+use super::Examined;
+use super::residual_table::{CableResiduals, ResidualTable};
+use crate::autocorrelation::correlation_time;
+use crate::screening::place;
+use cdpr_model::finding::{Finding, FindingKind, Severity};
+use cdpr_model::measurement::three_digits;
+
+/// Least logarithm of the likelihood ratio by which an explanation is told, after what its parameters and places tried cost.
+const SURE: f64 = 15.0;
+/// The same by which it has to beat the runner-up to be told as the cause.
+const CLEARLY: f64 = 6.0;
+/// Least fraction of the residuals' squares that an explanation has to account for: what depends on the pose looks a little like anything.
+const LEAST_EXPLAINED: f64 = 0.5;
+/// Root mean square residual of a cable beside the others from which on its sensor is suspicious.
+const LOUDER: f64 = 3.0;
+/// Size of an explained part beside the noise that is left from which on the answer is not to be trusted.
+const GROSS: f64 = 5.0;
+/// Fewest rows on either side of a step, and most places at which one is tried before it is refined.
+const LEAST_SIDE: usize = 6;
+const PLACES: usize = 100;
+/// Residuals below this are rounding (m).
+const ROUNDING: f64 = 1e-6;
+
+/// Outcome of the search.
+pub(crate) struct Scanned {
+    /// The explanation of the residuals; `None` where they look like noise.
+    pub(super) finding: Option<Finding>,
+}
+
+/// What may stand behind residuals.
+#[derive(Clone, Copy, Debug, PartialEq)]
+enum Cause {
+    /// One cable's lengths change by a constant from a row on.
+    Step,
+    /// The lengths of every cable change by a constant of its own from a row on.
+    Offsets,
+    /// The lengths of every cable change by a constant of its own in the data that are held out.
+    HeldOut,
+    /// The tracker moves at a row.
+    Tracker,
+    /// One cable's lengths drift.
+    Drift,
+    /// Lengths of all cables drift.
+    Drifts,
+    /// One cable's lengths depend on the direction of travel.
+    Backlash,
+    /// Those of all cables do.
+    Backlashes,
+    /// Poses and lengths are of different times.
+    Clock,
+    /// One cable's residuals are larger than those of the others, without an order.
+    Loud,
+}
+
+/// An explanation with how much it explains.
+#[derive(Clone, Debug)]
+struct Explanation {
+    cause: Cause,
+    cable: Option<usize>,
+    /// Index of the row where it begins, among those searched.
+    first: Option<usize>,
+    /// Logarithm of the likelihood ratio less the price of parameters and places.
+    score: f64,
+    /// Fraction of the squares explained: of the cable, or of all.
+    explained: f64,
+    /// Size (m; m per second or row of a drift; s of a clock).
+    size: f64,
+    /// Root mean square of the explained part, and of the residuals that are left (m).
+    part: f64,
+    left: f64,
+}
+
+impl Scanned {
+    /// Searches the residuals of the richest fit.
+    pub(crate) fn of(examined: &Examined<'_>) -> Self {
+        Self { finding: ResidualTable::of(examined).and_then(|table| Search { examined, table }.finding()) }
+    }
+}
+
+struct Search<'a> {
+    examined: &'a Examined<'a>,
+    table: ResidualTable,
+}
+
+impl Search<'_> {
+    fn finding(&self) -> Option<Finding> {
+        if (self.table.squares / self.table.freedom).sqrt() < ROUNDING {
+            return None;
+        }
+        let mut all = self.explanations();
+        all.retain(|one| one.score > SURE && one.explained > LEAST_EXPLAINED);
+        all.sort_by(|a, b| b.score.total_cmp(&a.score));
+        let best = all.first()?.clone();
+        let redundant = self.is_redundant();
+        let is_other = |other: &Explanation| {
+            (other.cause.kind(redundant), other.cable) != (best.cause.kind(redundant), best.cable)
+        };
+        let rivals: Vec<&Explanation> =
+            all[1..].iter().filter(|other| other.score > best.score - CLEARLY && is_other(other)).collect();
+        Some(self.told(&best, &rivals))
+    }
+
+    fn told(&self, best: &Explanation, rivals: &[&Explanation]) -> Finding {
+        let explained = format!(" (explains {:.0} %)", 100.0 * best.explained);
+        let text = match rivals.first() {
+            None => format!("{}{explained}{}", self.words(best), best.cause.question()),
+            Some(_) => {
+                let others: Vec<String> = rivals.iter().take(2).map(|other| self.words(other)).collect();
+                format!("one of these explains the residuals{explained}: {}; {}", self.words(best), others.join("; "))
+            }
+        };
+        let size = if best.cause.unit() == "m" { best.size.abs().max(best.part) } else { best.part };
+        let is_gross = size > GROSS * best.left;
+        let (severity, text) = match is_gross {
+            true => (Severity::Distrust, format!("not to be trusted: {text}")),
+            false => (Severity::Caution, text),
+        };
+        let mut finding = Finding::new(best.cause.kind(self.is_redundant()), severity, text)
+            .of_size(best.size, best.cause.unit())
+            .explaining(best.explained);
+        if let Some(cable) = best.cable {
+            finding = finding.of_cable(cable);
+        }
+        match best.first.and_then(|first| self.line(first)) {
+            Some(line) => finding.at_line(line),
+            None => finding,
+        }
+    }
+
+    fn is_redundant(&self) -> bool {
+        let robot = self.examined.given;
+        robot.cables.len() > robot.motion_pattern.dof()
+    }
+
+    fn line(&self, first: usize) -> Option<usize> {
+        Some(self.examined.samples.lines.as_ref()?[self.table.rows[first]])
+    }
+
+    fn words(&self, one: &Explanation) -> String {
+        let cable = one.cable.map_or_else(|| "all cables".to_owned(), |cable| format!("cable {}", cable + 1));
+        let from = one.first.map_or_else(String::new, |first| place(self.examined.samples, self.table.rows[first]));
+        let mm = 1e3 * one.size;
+        match one.cause {
+            Cause::Step => format!("{cable}: {mm:+.1} mm from {from} on"),
+            Cause::Offsets => format!("{cable}: a constant each, {mm:.1} mm rms, from {from} on"),
+            Cause::HeldOut => format!("{cable}: a constant each, {mm:.1} mm rms, in the validation data"),
+            Cause::Tracker => format!("the poses move by {mm:.1} mm (rms along the cables) from {from} on"),
+            Cause::Drift | Cause::Drifts => {
+                let all = one.size * self.duration();
+                format!("{cable}: the lengths drift, by {:+.1} mm over the record", 1e3 * all)
+            }
+            Cause::Backlash | Cause::Backlashes => {
+                format!("{cable}: lengths differ by {:.1} mm with the direction of travel", (2.0 * mm).abs())
+            }
+            Cause::Clock => format!(
+                "poses are recorded {:.0} ms {}",
+                1e3 * one.size.abs(),
+                if one.size > 0.0 { "late" } else { "early" }
+            ),
+            Cause::Loud => {
+                let rest = self.rms_of_others(one.cable);
+                format!("{cable}: residuals of {mm:.1} mm rms, {} mm for the others", three_digits(1e3 * rest))
+            }
+        }
+    }
+
+    fn rms_of_others(&self, cable: Option<usize>) -> f64 {
+        let others =
+            || self.table.cables.iter().enumerate().filter(|(other, _)| Some(*other) != cable).map(|(_, own)| own);
+        let (squares, freedom) =
+            others().fold((0.0, 0.0), |(squares, freedom), own| (squares + own.squares, freedom + own.freedom));
+        (squares / f64::max(freedom, 1.0)).sqrt()
+    }
+
+    fn explanations(&self) -> Vec<Explanation> {
+        let mut all = Vec::new();
+        let steps = self.best_steps();
+        all.extend(steps);
+        all.extend(self.held_out());
+        let clock = self.clock();
+        for (cable, own) in self.table.cables.iter().enumerate() {
+            all.extend(self.of_cable(Cause::Drift, cable, own, &clock, 1.0));
+            all.extend(self.of_cable(Cause::Backlash, cable, own, &directions(own), 1.0));
+            all.extend(self.loud(cable, own));
+        }
+        all.extend(self.of_each(Cause::Drifts, None, &|_| clock.clone()));
+        all.extend(self.of_each(Cause::Backlashes, None, &directions));
+        all.extend(self.late());
+        all
+    }
+
+    /// Times of the rows (s) where the samples have them, else their numbers.
+    fn clock(&self) -> DVector<f64> {
+        let samples = self.examined.samples;
+        let at = |&row: &usize| samples.time.as_ref().map_or(row as f64, |time| time[row]);
+        DVector::from_iterator(self.table.rows.len(), self.table.rows.iter().map(at))
+    }
+
+    fn duration(&self) -> f64 {
+        let clock = self.clock();
+        clock.max() - clock.min()
+    }
+
+    /// The best step of one cable, of all of them, and of the tracker.
+    fn best_steps(&self) -> Vec<Explanation> {
+        let rows = self.table.rows.len();
+        let side = LEAST_SIDE.max(rows / 50);
+        if rows < 2 * side + 2 {
+            return Vec::new();
+        }
+        let stride = (rows / PLACES).max(1);
+        let coarse: Vec<usize> = (side..rows - side).step_by(stride).collect();
+        let tried = (rows - 2 * side) as f64;
+        let column = |first: usize| DVector::from_fn(rows, |row, _| f64::from(u8::from(row >= first)));
+        let at = |first: usize| -> Vec<Explanation> {
+            let own = column(first);
+            let cables = self.table.cables.iter().enumerate();
+            let mut found: Vec<Explanation> =
+                cables.filter_map(|(cable, data)| self.of_cable(Cause::Step, cable, data, &own, tried)).collect();
+            found.extend(self.of_each(Cause::Offsets, Some(tried), &|_| own.clone()));
+            found.extend(self.tracker(first, tried));
+            found.iter_mut().for_each(|one| one.first = Some(first));
+            found
+        };
+        let best_of = |places: &[usize]| -> Vec<Explanation> {
+            let mut best: Vec<Explanation> = Vec::new();
+            for one in places.iter().flat_map(|&first| at(first)) {
+                match best.iter_mut().find(|other| (other.cause, other.cable) == (one.cause, one.cable)) {
+                    Some(other) if one.score > other.score => *other = one,
+                    Some(_) => {}
+                    None => best.push(one),
+                }
+            }
+            best
+        };
+        let best = best_of(&coarse);
+        if stride == 1 {
+            return best;
+        }
+        let mut near: Vec<usize> = best
+            .iter()
+            .filter(|one| one.score > SURE)
+            .filter_map(|one| one.first)
+            .flat_map(|first| first.saturating_sub(stride).max(side)..(first + stride).min(rows - side))
+            .collect();
+        near.sort_unstable();
+        near.dedup();
+        best_of(&[coarse, near].concat())
+    }
+
+    /// A constant of every cable in the data that are held out.
+    fn held_out(&self) -> Option<Explanation> {
+        if self.examined.held_out.is_empty() {
+            return None;
+        }
+        let is_held = |row: &usize| self.examined.held_out.binary_search(row).is_ok();
+        let column = DVector::from_iterator(
+            self.table.rows.len(),
+            self.table.rows.iter().map(|row| f64::from(u8::from(is_held(row)))),
+        );
+        let first = self.table.rows.iter().position(is_held)?;
+        let found = self.of_each(Cause::HeldOut, None, &|_| column.clone())?;
+        Some(Explanation { first: Some(first), ..found })
+    }
+
+    /// One column explains one cable.
+    fn of_cable(
+        &self,
+        cause: Cause,
+        cable: usize,
+        own: &CableResiduals,
+        column: &DVector<f64>,
+        tried: f64,
+    ) -> Option<Explanation> {
+        let part = own.own_part(column.clone())?;
+        let size = part.dot(&own.residuals) / part.norm_squared();
+        let gain = size * size * part.norm_squared();
+        let left: DVector<f64> = &own.residuals - &part * size;
+        let explained =
+            Explained { gain, of: own.squares, parameters: 1.0, tried: tried * self.table.cables.len() as f64 };
+        let spread =
+            Spread { part: (gain / own.freedom).sqrt(), left: ((own.squares - gain).max(0.0) / own.freedom).sqrt() };
+        let told = part.dot(&own.unclipped) / part.norm_squared();
+        Some(self.explanation(cause, Some(cable), told, explained, spread, correlation_time(left.as_slice())))
+    }
+
+    /// A column of each cable with a size of its own explains all of them.
+    fn of_each(
+        &self,
+        cause: Cause,
+        tried: Option<f64>,
+        column: &dyn Fn(&CableResiduals) -> DVector<f64>,
+    ) -> Option<Explanation> {
+        let (mut gain, mut sizes, mut count, mut time) = (0.0, 0.0, 0.0, 1.0_f64);
+        for own in &self.table.cables {
+            let Some(part) = own.own_part(column(own)) else { continue };
+            let size = part.dot(&own.residuals) / part.norm_squared();
+            let left: DVector<f64> = &own.residuals - &part * size;
+            time = time.max(correlation_time(left.as_slice()));
+            gain += size * size * part.norm_squared();
+            sizes += size * size;
+            count += 1.0;
+        }
+        if count < 2.0 {
+            return None;
+        }
+        let size = f64::sqrt(sizes / count);
+        let explained = Explained { gain, of: self.table.squares, parameters: count, tried: tried.unwrap_or(1.0) };
+        Some(self.explanation(cause, None, size, explained, self.spread(gain), time))
+    }
+
+    /// A motion of the tracker's frame from a row on explains all cables.
+    fn tracker(&self, first: usize, tried: f64) -> Option<Explanation> {
+        let rows = self.table.rows.len();
+        let (mut normal, mut right) = (Matrix6::<f64>::zeros(), Vector6::<f64>::zeros());
+        for own in &self.table.cables {
+            let parts: Vec<DVector<f64>> = (0..6)
+                .map(|component| {
+                    let column = DVector::from_fn(rows, |row, _| match (row >= first, component) {
+                        (false, _) => 0.0,
+                        (true, axis @ 0..3) => own.directions[row][axis],
+                        (true, turn) => own.arms[row].cross(&own.directions[row])[turn - 3],
+                    });
+                    own.own_part(column).unwrap_or_else(|| DVector::zeros(rows))
+                })
+                .collect();
+            for (i, one) in parts.iter().enumerate() {
+                right[i] += one.dot(&own.residuals);
+                for (j, other) in parts.iter().enumerate() {
+                    normal[(i, j)] += one.dot(other);
+                }
+            }
+        }
+        let scale = normal.trace() / 6.0;
+        let decomposition = nalgebra::SymmetricEigen::new(normal);
+        let (mut gain, mut parameters) = (0.0, 0.0);
+        for (place, value) in decomposition.eigenvalues.iter().enumerate() {
+            if *value > 1e-6 * scale {
+                gain += decomposition.eigenvectors.column(place).dot(&right).powi(2) / value;
+                parameters += 1.0;
+            }
+        }
+        let explained = Explained { gain, of: self.table.squares, parameters, tried };
+        let size = (gain / self.table.freedom).sqrt() * 2.0;
+        Some(self.explanation(Cause::Tracker, None, size, explained, self.spread(gain), 1.0))
+    }
+
+    /// Lengths and poses are of different times.
+    fn late(&self) -> Option<Explanation> {
+        let samples = self.examined.samples;
+        let time = samples.time.as_ref()?;
+        let rows = &self.table.rows;
+        let speed = |own: &CableResiduals| {
+            DVector::from_fn(rows.len(), |row, _| {
+                let (before, after) = (row.saturating_sub(1), (row + 1).min(rows.len() - 1));
+                let span = time[rows[after]] - time[rows[before]];
+                if span > 0.0 { (own.lengths[after] - own.lengths[before]) / span } else { 0.0 }
+            })
+        };
+        let (mut right, mut normal) = (0.0, 0.0);
+        for own in &self.table.cables {
+            let Some(part) = own.own_part(speed(own)) else { continue };
+            right += part.dot(&own.residuals);
+            normal += part.norm_squared();
+        }
+        if normal <= 0.0 {
+            return None;
+        }
+        let gain = right * right / normal;
+        let explained = Explained { gain, of: self.table.squares, parameters: 1.0, tried: 1.0 };
+        Some(self.explanation(Cause::Clock, None, right / normal, explained, self.spread(gain), 1.0))
+    }
+
+    /// One cable's residuals are larger than those of the others.
+    fn loud(&self, cable: usize, own: &CableResiduals) -> Option<Explanation> {
+        let (rest, freedom) = (self.table.squares - own.squares, self.table.freedom - own.freedom);
+        if self.table.cables.len() < 3 || rest <= 0.0 {
+            return None;
+        }
+        let variance = |squares: f64, freedom: f64| (squares / freedom).ln();
+        let ratio = 0.5
+            * (self.table.freedom * variance(self.table.squares, self.table.freedom)
+                - own.freedom * variance(own.squares, own.freedom)
+                - freedom * variance(rest, freedom));
+        let (loud, quiet) = (own.rms(), (rest / freedom).sqrt());
+        let is_louder = loud > LOUDER * quiet;
+        is_louder.then(|| Explanation {
+            cause: Cause::Loud,
+            cable: Some(cable),
+            first: None,
+            score: ratio - 0.5 * self.table.freedom.ln() - (self.table.cables.len() as f64).ln(),
+            explained: own.squares / self.table.squares,
+            size: loud,
+            part: loud,
+            left: quiet,
+        })
+    }
+
+    fn spread(&self, gain: f64) -> Spread {
+        let of = |squares: f64| (squares.max(0.0) / self.table.freedom).sqrt();
+        Spread { part: of(gain), left: of(self.table.squares - gain) }
+    }
+
+    fn explanation(
+        &self,
+        cause: Cause,
+        cable: Option<usize>,
+        size: f64,
+        own: Explained,
+        spread: Spread,
+        time: f64,
+    ) -> Explanation {
+        let left = (1.0 - own.gain / self.table.squares).max(1e-12);
+        let ratio = -0.5 * self.table.freedom * left.ln() / time;
+        let price = 0.5 * own.parameters * self.table.freedom.ln() + own.tried.max(1.0).ln();
+        Explanation {
+            cause,
+            cable,
+            first: None,
+            score: ratio - price,
+            explained: own.gain / own.of.max(f64::MIN_POSITIVE),
+            size,
+            part: spread.part,
+            left: spread.left,
+        }
+    }
+}
+
+/// What an explanation gains (m²), of which squares, by how many parameters and places.
+struct Explained {
+    gain: f64,
+    of: f64,
+    parameters: f64,
+    tried: f64,
+}
+
+/// Root mean squares of the explained part and of the rest (m).
+struct Spread {
+    part: f64,
+    left: f64,
+}
+
+/// Direction in which a cable's length last changed, 1 or −1; 0 before it does.
+fn directions(own: &CableResiduals) -> DVector<f64> {
+    let mut last = 0.0;
+    DVector::from_fn(own.lengths.len(), |row, _| {
+        let step = if row == 0 { 0.0 } else { own.lengths[row] - own.lengths[row - 1] };
+        if step != 0.0 {
+            last = step.signum();
+        }
+        last
+    })
+}
+
+impl Cause {
+    fn kind(self, is_redundant: bool) -> FindingKind {
+        match self {
+            Self::Step => FindingKind::Step,
+            Self::Offsets | Self::HeldOut => FindingKind::Offset,
+            Self::Tracker => FindingKind::Frame,
+            Self::Drift | Self::Drifts => FindingKind::Drift,
+            Self::Backlash | Self::Backlashes => FindingKind::Backlash,
+            Self::Clock => FindingKind::Clock,
+            Self::Loud if is_redundant => FindingKind::Slack,
+            Self::Loud => FindingKind::Sensor,
+        }
+    }
+
+    fn unit(self) -> &'static str {
+        match self {
+            Self::Drift | Self::Drifts => "m/s",
+            Self::Clock => "s",
+            _ => "m",
+        }
+    }
+
+    /// What to ask, behind an explanation that stands alone.
+    fn question(self) -> &'static str {
+        match self {
+            Self::Step => ": was the cable clamped anew, or did it slip?",
+            Self::Offsets | Self::HeldOut => ": were the winches set anew?",
+            Self::Tracker => ": was the tracker moved?",
+            Self::Drift | Self::Drifts => ": does the cable creep, or the drum warm up?",
+            Self::Backlash | Self::Backlashes => ": backlash of gear or pulleys, or friction along the cable?",
+            Self::Clock => ": free `clock-offset`",
+            Self::Loud => ": does it hang slack, or is its sensor disturbed?",
+        }
+    }
+}

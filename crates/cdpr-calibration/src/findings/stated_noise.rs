@@ -1,0 +1,31 @@
+//! Whether residuals are those of the stated accuracies.
+
+use super::Examined;
+use crate::loss::Loss;
+use cdpr_model::finding::{Finding, FindingKind, Severity};
+
+/// Standard deviations of χ² beyond which residuals are too large for the stated accuracies, and the factor from which on that matters.
+const SURE: f64 = 5.0;
+const MATTERS: f64 = 1.1;
+
+/// Lack of fit by χ² where accuracies of poses and lengths are stated; `None` where nothing is stated, or residuals agree.
+pub(super) fn finding(examined: &Examined<'_>) -> Option<Finding> {
+    let fit = examined.fit;
+    let sigmas = &examined.samples.sigmas;
+    if sigmas.length.is_none() || sigmas.position.is_none() || fit.loss != Loss::Squared {
+        return None;
+    }
+    let factor = fit.noise_factor;
+    let rows = (fit.samples * fit.model.cable_count()) as f64;
+    // rows that depend on their neighbours count as fewer
+    let time = (fit.analysis.inflation / factor.max(1.0)).powi(2).max(1.0);
+    let freedom = (rows - fit.parameters.len() as f64) / time;
+    let deviations = (factor * factor - 1.0) * (freedom / 2.0).sqrt();
+    (factor > MATTERS && deviations > SURE).then(|| {
+        let text = format!(
+            "residuals are {factor:.2} times what the stated accuracies say, {deviations:.0} standard deviations of χ² with {freedom:.0} degrees of freedom: the \
+             model lacks something that its parameters take up in part, so that their σ are too small, or the accuracies are wrong"
+        );
+        Finding::new(FindingKind::LackOfFit, Severity::Caution, text).of_size(factor, "")
+    })
+}
