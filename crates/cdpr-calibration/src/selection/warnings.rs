@@ -1,7 +1,5 @@
 //! Everything a reader has to know before using a choice: the one list that text, JSON and page tell.
 
-use serde::{Serialize, Serializer};
-
 use super::{Judgement, Selection, worse};
 use crate::evaluation::ErrorBlocks;
 use crate::fit::{Estimate, Fit, Prior};
@@ -28,13 +26,6 @@ impl Warnings {
     /// Adds a doubt, behind those that are there.
     pub fn doubt(&mut self, kind: DoubtKind, words: Option<String>) {
         self.doubts.extend(words.map(|words| Doubt::new(kind, words)));
-    }
-}
-
-impl Serialize for Warnings {
-    /// The list of sentences.
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_seq(self.list())
     }
 }
 

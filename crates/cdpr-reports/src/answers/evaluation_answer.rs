@@ -13,7 +13,7 @@ use serde::Serialize;
 use super::error_table::{Source, error_table};
 use super::identification_words::reason_of;
 use super::{Answer, axis_names, beyond_words, components};
-use crate::keys::{BeyondKeys, ErrorBlockKeys};
+use crate::keys::{BeyondKeys, ErrorBlockKeys, Sentences};
 
 /// Errors of a model on measurements, in short.
 #[derive(Serialize)]
@@ -38,6 +38,7 @@ pub struct EvaluationAnswer {
     #[serde(skip_serializing_if = "Option::is_none")]
     out_errors: Option<String>,
     /// Doubts about the data, then rules of plausibility that the errors break.
+    #[serde(with = "Sentences")]
     warnings: Warnings,
     #[serde(skip)]
     pattern: MotionPattern,

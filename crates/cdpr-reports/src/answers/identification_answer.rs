@@ -15,7 +15,7 @@ use super::objective_answer::ObjectiveAnswer;
 use super::path_answer::PathAnswer;
 use super::reduction_answer::ReductionAnswer;
 use super::scaling_answer::ScalingAnswer;
-use crate::keys::{ErrorBlockKeys, IdentificationKeys};
+use crate::keys::{ErrorBlockKeys, IdentificationKeys, Sentences};
 use crate::report::Addition;
 
 /// Parameters of a model with errors before and after.
@@ -61,6 +61,7 @@ pub struct Told {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub validation_data: Option<String>,
     /// Warnings, doubts about the outcome first; of data before the answer adds its own.
+    #[serde(with = "Sentences")]
     pub warnings: Warnings,
     /// Name of the calibrated robot's file.
     #[serde(skip_serializing_if = "Option::is_none")]

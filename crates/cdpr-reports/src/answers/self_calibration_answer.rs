@@ -12,7 +12,7 @@ use super::PoseAnswer;
 use super::PoselessJudgement;
 use super::identification_words::{doubt_words, identifiability, parameters, verdict_words};
 use super::start_words::start_words;
-use crate::keys::{ComparisonKeys, Maybe, SelfCalibrationKeys};
+use crate::keys::{ComparisonKeys, Maybe, SelfCalibrationKeys, Sentences};
 use crate::number_format::significant;
 use crate::report::Addition;
 
@@ -42,6 +42,7 @@ pub struct SelfCalibrationAnswer {
     /// Course of the fit, where it is asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     course: Option<CourseAnswer>,
+    #[serde(with = "Sentences")]
     warnings: Warnings,
     #[serde(skip_serializing_if = "Option::is_none")]
     out: Option<String>,

@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use super::Answer;
 use super::identification_words::{doubt_words, reason_of};
+use crate::keys::Sentences;
 use crate::number_format::cell;
 use crate::table::Table;
 
@@ -62,6 +63,7 @@ pub struct TestBenchAnswer {
     hysteresis: HysteresisTable,
     out: Option<String>,
     /// Doubts about the laws.
+    #[serde(with = "Sentences")]
     warnings: Warnings,
     #[serde(skip)]
     keys: String,

@@ -6,6 +6,8 @@ use cdpr_calibration::{
     ResampledDeviation,
 };
 
+use cdpr_model::reading::Keyword;
+
 use super::Each;
 use super::adapters::keys;
 
@@ -34,7 +36,7 @@ keys! {
     PathParameterKeys of PathParameter { name, unit, centre, is_penalised, enters }
     /// Smaller model that data show, each pair of the full model and the smaller one.
     ReductionKeys of Reduction {
-        evidence, reason, patterns, parameter_count, left, position_mean_m, standard_error = "standard_error_m",
+        evidence.name(), reason, patterns, parameter_count, left, position_mean_m, standard_error = "standard_error_m",
     }
     /// Condition of the Jacobian of a model on data.
     ConditioningKeys of Conditioning {
