@@ -1,7 +1,6 @@
 //! Course of a fit: parameters, residuals and condition at every step (Figs. 4.13–4.15, 6.7, 6.20).
 
 use nalgebra::DMatrix;
-use serde::Serialize;
 
 use super::evaluation::evaluate_fitted;
 use super::fit::{Fit, InputError, Settings};
@@ -15,7 +14,7 @@ use cdpr_model::scalar::TriangularFactor;
 use cdpr_model::solve::minimizer;
 
 /// A step of a fit.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct CourseStep {
     /// Values of the free parameters after the step, in their order (SI).
     pub values: Vec<f64>,
@@ -24,10 +23,8 @@ pub struct CourseStep {
     /// Root mean square of the length rows (m).
     pub length_rms_m: f64,
     /// The same of the force rows (N); `None` of rigid models.
-    #[serde(rename = "force_rms_N")]
     pub force_rms: Option<f64>,
     /// The same of the moment rows (N·m); `None` of rigid models and where nothing turns.
-    #[serde(rename = "moment_rms_Nm")]
     pub moment_rms: Option<f64>,
     /// Root mean square of the predicted position error (m), where predicted poses are made small.
     pub position_rms_m: Option<f64>,

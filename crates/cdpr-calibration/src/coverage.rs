@@ -1,13 +1,11 @@
 //! Which poses a model was fitted to, and how far beyond them it was judged: outside it extrapolates.
 
-use serde::Serialize;
-
 use cdpr_model::geometry::Pose;
 use cdpr_model::measurement::{Fold, Samples};
 use cdpr_model::robot::Robot;
 
 /// Ranges of the poses, component by component, and the validation samples that lie beyond those of their fit.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Coverage {
     /// One range for each component of the pose, in the order of the motion pattern.
     pub ranges: Vec<PoseRange>,
@@ -16,12 +14,11 @@ pub struct Coverage {
     /// Those of them with a component outside the range of the data that the predicting fit saw.
     pub outside: usize,
     /// For each validation sample, fold by fold, whether it is one of those.
-    #[serde(skip)]
     pub is_outside: Vec<bool>,
 }
 
 /// Smallest and largest value of one component of the pose.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct PoseRange {
     /// The component: a world axis, or `rx`, `ry`, `rz`, `angle`.
     pub name: String,

@@ -3,8 +3,6 @@
 #[cfg(test)]
 mod tests;
 
-use serde::Serialize;
-
 use thiserror::Error;
 
 use super::outliers::unexplained;
@@ -21,7 +19,7 @@ use cdpr_model::statics::LoadError;
 /// All errors of a model on a data set, SI units.
 ///
 /// A sample without an answer has no error: statistics are those of the samples that have a value, NaN where none has.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ErrorBlocks {
     /// Number of samples.
     pub samples: usize,
@@ -32,10 +30,8 @@ pub struct ErrorBlocks {
     /// Modelled minus recorded lengths at the measured poses (m).
     pub length_error_m: LengthErrorStatistics,
     /// Predicted minus recorded tensions; `None` for a model that knows none, or data without.
-    #[serde(rename = "tension_error_N", skip_serializing_if = "Option::is_none")]
     pub tension_error: Option<TensionErrorStatistics>,
     /// Modelled minus recorded swivel angles at the poses where measurements agree best; `None` where there are none.
-    #[serde(rename = "swivel_error_rad", skip_serializing_if = "Option::is_none")]
     pub swivel_error: Option<LengthErrorStatistics>,
     /// Samples whose forward problem has an answer: those of the errors of position, rotation and tension.
     pub answered: usize,

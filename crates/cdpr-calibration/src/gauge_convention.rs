@@ -1,12 +1,9 @@
 //! Conventions that fix what data leave free of a robot as a whole.
 
-use serde::Serialize;
-
 use cdpr_model::reading::keywords;
 
 /// Convention that fixes motions which no measurement sees.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum GaugeConvention {
     /// As many coordinates of anchors as there are motions stay at the file's values, those that the motions move most.

@@ -3,7 +3,6 @@
 use std::ops::Range;
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
-use serde::Serialize;
 
 use super::autocorrelation::correlation_time;
 use super::fit::{Settings, prior_sigma};
@@ -19,7 +18,7 @@ use cdpr_model::scalar::TriangularFactor;
 use cdpr_model::scalar::decomposition::svd;
 
 /// Two parameters that the data hardly separate.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Correlation {
     /// Name of the one.
     pub first: String,
@@ -30,7 +29,7 @@ pub struct Correlation {
 }
 
 /// Identifiability of a fit.
-#[derive(Clone, Debug, Default, PartialEq, Serialize)]
+#[derive(Clone, Debug, Default, PartialEq)]
 pub struct Analysis {
     /// Rank of the Jacobian of all residuals by all free parameters.
     pub rank: usize,
@@ -46,29 +45,22 @@ pub struct Analysis {
     pub weak_direction_count: usize,
     /// Largest standard deviation along any of them (m, scales times the mean length and the like); infinite where one is not
     /// determined at all, 0 without any.
-    #[serde(rename = "weak_direction_deviation_m")]
     pub weak_deviation: f64,
     /// Cables whose stiffness the data leave open, in words.
-    #[serde(skip)]
     pub unknown_stiffness: Option<String>,
     /// Pairs of parameters with a correlation above 0.95.
     pub correlations: Vec<Correlation>,
     /// Correlation coefficients of all pairs: row i holds those of parameter i with the parameters 0 to i. NaN where one of the
     /// two is not determined, 0 between cables that are identified apart.
-    #[serde(skip)]
     pub correlation_rows: Vec<Vec<f64>>,
     /// Directions that neither data nor priors determine.
-    #[serde(skip)]
     pub(super) undetermined: usize,
     /// Standard deviation per free parameter.
-    #[serde(skip)]
     pub(super) sigmas: Vec<Option<f64>>,
     /// Half width of a 95 % interval of a parameter, in standard deviations: 1.96, or Student's t where residuals tell the noise.
     pub quantile_95: f64,
     /// Factor of the deviations that the rows' weights give.
-    #[serde(skip)]
     pub(super) inflation: f64,
-    #[serde(skip)]
     pub(super) warnings: Vec<String>,
 }
 

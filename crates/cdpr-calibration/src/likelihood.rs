@@ -7,22 +7,20 @@ mod residuals;
 #[cfg(test)]
 mod tests;
 
-use serde::Serialize;
-
 pub(super) use residuals::FittedRows;
 use residuals::{Residuals, Rows};
 
 use super::fit::Fit;
 use super::loss::Loss;
 use super::norms::{Extent, Norms};
+use cdpr_model::reading::keywords;
 use cdpr_model::robot::Robot;
 
 /// Least variance of noise that residuals tell, in units of the assumed one: exact data leave rounding.
 const LEAST_VARIANCE: f64 = 1e-12;
 
 /// Size of the noise that a likelihood is taken at.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum NoiseSource {
     /// The stated accuracies of the sensors.
@@ -32,6 +30,8 @@ pub enum NoiseSource {
     /// Each candidate's own residuals; the size of the noise counts as a parameter.
     Estimated,
 }
+
+keywords!(NoiseSource: Stated = "stated", Enlarged = "enlarged", Estimated = "estimated");
 
 /// Likelihood and information criteria of a candidate (Akaike 1974, Schwarz 1978, Hurvich and Tsai 1989).
 #[derive(Clone, Copy, Debug, PartialEq)]

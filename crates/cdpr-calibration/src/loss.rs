@@ -4,13 +4,10 @@
 //! deviations, whitened where rows of a sample share noise. Squared: ρ(t) = t. Huber: ρ(t) = t up to 1 and 2√t − 1 beyond (Huber 1964).
 //! Cauchy: ρ(t) = ln(1 + t). C stays fixed during a descent. A sample then pulls with the weight ρ′(z²/C²) times its residuals.
 
-use serde::Serialize;
-
 use cdpr_model::reading::keywords;
 
 /// Loss of a fit.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Loss {
     /// Squared, unless samples lie beyond 8 robust standard deviations: Huber then.

@@ -1,12 +1,9 @@
 //! Objectives of an identification: which residuals are made small, and by which cost of all samples.
 
-use serde::Serialize;
-
 use cdpr_model::reading::{Keyword, keywords};
 
 /// Residuals that an identification makes small.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Objective {
     /// Modelled minus recorded lengths at the measured poses, of elastic models with the wrenches there (joint space, eq. 4.8, 4.38).
@@ -21,8 +18,7 @@ pub enum Objective {
 }
 
 /// Cost of the residual vectors of all samples.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Minimize {
     /// Σ ‖r‖² (eq. 4.10).

@@ -4,7 +4,6 @@
 mod tests;
 
 use nalgebra::{Quaternion, UnitQuaternion};
-use serde::Serialize;
 
 use super::bootstrap::standard_error;
 use super::cross_validation::reported_part;
@@ -16,6 +15,7 @@ use super::point_robot::{as_point, point_robot, without_rotation};
 use cdpr_model::geometry::MotionPattern;
 use cdpr_model::measurement::{Fold, Samples, decimals};
 use cdpr_model::model::{FreeParameters, Model};
+use cdpr_model::reading::keywords;
 use cdpr_model::robot::{Parameter, ParameterKind};
 
 /// Angle below which orientations are the same (rad).
@@ -24,8 +24,7 @@ const SAME: f64 = 1e-9;
 const NOISE: f64 = 3.0;
 
 /// Evidence that a smaller model is enough.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Evidence {
     /// Rank of the Jacobian.
@@ -35,6 +34,8 @@ pub enum Evidence {
     /// Parameters that leave a path of a penalty.
     Path,
 }
+
+keywords!(Evidence: Rank = "rank", Noise = "noise", Path = "path");
 
 /// Smaller model that predicts what was held out as well as the one asked for, on the same samples.
 #[derive(Clone, Debug)]

@@ -2,13 +2,11 @@
 
 use std::fmt;
 
-use serde::Serialize;
-
+use cdpr_model::reading::keywords;
 use cdpr_model::solve::{DescentEnd, HIDDEN_GAIN, Rules, Stop};
 
 /// Rule that ended a search for parameters; from [`StoppingRule::IterationLimit`] on, no optimum was found.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 #[non_exhaustive]
 pub enum StoppingRule {
     /// The steps left, if they go on shrinking as the last ones did, are within the tolerance (m).
@@ -28,6 +26,17 @@ pub enum StoppingRule {
     /// The start has no residuals.
     NoResiduals,
 }
+
+keywords!(
+    StoppingRule: Step = "step",
+    Cost = "cost",
+    Gap = "gap",
+    Rounding = "rounding",
+    Undetermined = "undetermined",
+    IterationLimit = "iteration-limit",
+    Stalled = "stalled",
+    NoResiduals = "no-residuals",
+);
 
 /// End of a search by a rule with its number.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -114,7 +114,7 @@ impl Severity {
     }
 }
 
-/// Something that speaks against an answer, in words and numbers.
+/// Reason to doubt an answer, in words and numbers.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Finding {
     /// Its kind.

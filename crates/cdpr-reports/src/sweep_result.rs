@@ -2,9 +2,8 @@
 
 use cdpr_study::sweep::Row;
 use serde::Serialize;
-use serde_json::{Map, Value, json};
 
-use crate::answers::{Answer, BEYOND_THE_WHOLE, is_beyond_the_whole, size_key};
+use crate::answers::{Answer, BEYOND_THE_WHOLE, Size, is_beyond_the_whole};
 use crate::figures::{ShareCurve, Shares};
 use crate::keys::SweepRowKeys;
 use crate::number_format::{short, significant};
@@ -40,9 +39,13 @@ pub struct SweepPoint {
     /// Values and cells.
     #[serde(flatten, with = "SweepRowKeys")]
     pub row: Row,
-    /// Sizes of the workspaces by their keys.
+    /// Reachable with each largest position error.
     #[serde(flatten)]
-    pub sizes: Map<String, Value>,
+    by_accuracy: Size<Vec<f64>>,
+    #[serde(flatten)]
+    physical: Size,
+    #[serde(flatten)]
+    reachable: Size,
     /// Size reached whatever the error, as a share of the physical workspace.
     pub share: Option<f64>,
     /// The same with each largest position error.
@@ -53,13 +56,11 @@ impl SweepPoint {
     fn of(row: Row, is_planar: bool) -> Self {
         let whole = row.physical.filter(|whole| *whole > 0.0);
         let share = |size: f64| whole.map(|whole| size / whole);
-        let sizes = [
-            (size_key("physical", is_planar), json!(row.physical)),
-            (size_key("reachable", is_planar), json!(row.reachable)),
-            (size_key("by_accuracy", is_planar), json!(row.by_accuracy)),
-        ];
+        let size = |name, value| Size { name, is_planar, value };
         Self {
-            sizes: sizes.into_iter().collect(),
+            by_accuracy: Size { name: "by_accuracy", is_planar, value: row.by_accuracy.clone() },
+            physical: size("physical", row.physical),
+            reachable: size("reachable", row.reachable),
             share: row.reachable.and_then(share),
             share_by_accuracy: row.by_accuracy.iter().map(|size| share(*size)).collect(),
             row,
@@ -95,7 +96,8 @@ impl SweepResult {
     /// Table of the points (CSV).
     pub fn csv(&self) -> String {
         let mut text = self.parameters.iter().map(|key| format!("\"{key}\"")).collect::<Vec<_>>().join(",");
-        let [physical, reachable] = ["physical", "reachable"].map(|name| size_key(name, self.is_planar));
+        let [physical, reachable] =
+            ["physical", "reachable"].map(|name| Size { name, is_planar: self.is_planar, value: () }.key());
         text.push_str(&format!(",{physical},{reachable},share"));
         for most in &self.position_error_max_m {
             text.push_str(&format!(",share_within_{most}_m"));

@@ -31,6 +31,11 @@ impl Table {
         self.rows.push(cells);
     }
 
+    /// Adds several rows.
+    pub fn rows(&mut self, rows: impl IntoIterator<Item = Vec<String>>) {
+        self.rows.extend(rows);
+    }
+
     /// Lines that end with a newline; headings and the widest columns of words are wrapped to fit a limit (columns).
     pub fn text(&self, limit: Option<usize>) -> String {
         let widths = self.widths(limit);

@@ -2,8 +2,6 @@
 
 use std::collections::BTreeMap;
 
-use serde::Serialize;
-
 use cdpr_model::control::CommandedPose;
 use cdpr_model::control::Control;
 use cdpr_model::control::InputError;
@@ -15,7 +13,7 @@ use cdpr_model::control::{LengthErrorStatistics, PoseErrorStatistics, TensionErr
 use cdpr_model::model::Model;
 
 /// Errors of a control model on a machine over the commanded poses, SI units.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 #[expect(non_snake_case, reason = "the fields are the keys of the answer, units included")]
 pub struct Accuracy {
     /// Number of commanded poses.
@@ -40,7 +38,6 @@ pub struct Accuracy {
     /// Fraction of the converged poses with a tension outside the limits; `None` for a rigid machine or unknown limits.
     pub outside_limits_share: Option<f64>,
     /// Effect of the map that corrects the control model; `None` without one.
-    #[serde(skip_serializing_if = "Option::is_none")]
     pub compensation: Option<Box<MapEffect<Accuracy>>>,
 }
 

@@ -1,7 +1,5 @@
 //! Distance between the branches of a machine with history: the emerging pose depends on the path to it.
 
-use serde::Serialize;
-
 use cdpr_model::control::Control;
 use cdpr_model::control::InputError;
 use cdpr_model::control::Operation;
@@ -13,7 +11,7 @@ use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 
 /// Distances between the outcomes of the same command after different paths, over the commanded poses, SI units.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 #[expect(non_snake_case, reason = "the fields are the keys of the answer, units included")]
 pub struct Branches {
     /// Length of the detour along each translation, to either side (m).

@@ -6,7 +6,6 @@
 #[cfg(test)]
 pub(super) mod tests;
 
-use serde::Serialize;
 use thiserror::Error;
 
 use crate::Experiment;
@@ -50,7 +49,7 @@ pub enum ChainError {
 }
 
 /// One stage with its errors.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ChainStep {
     /// Name of the stage.
     pub name: &'static str,
@@ -65,15 +64,12 @@ pub struct ChainStep {
     /// Mean rotation error (rad).
     pub rotation_mean_rad: f64,
     /// True if the platform of the model turns.
-    #[serde(skip)]
     pub turns: bool,
     /// Mean magnitude of the length errors (m).
     pub length_mean_abs_m: f64,
     /// Mean over poses of the 2-norm of the tension errors (N).
-    #[serde(rename = "tension_mean_norm_N")]
     pub tension_mean_norm: Option<f64>,
     /// Smallest and largest tension of the machine (N).
-    #[serde(rename = "tension_range_N")]
     pub tension_range: Option<[f64; 2]>,
     /// Poses at which a cable is slack.
     pub slack_samples: Option<usize>,
@@ -82,7 +78,7 @@ pub struct ChainStep {
 }
 
 /// Size and condition of an identification.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Identified {
     /// Count of free parameters.
     pub parameter_count: usize,

@@ -3,17 +3,16 @@
 //! An identification makes poses and lengths fit. Where the control model lacks an effect of the machine, its numbers
 //! stand for that effect, and the tensions that emerge may be farther from the commanded ones than before (sec. 4.5).
 
-use serde::Serialize;
-
 use crate::Experiment;
 use crate::accuracy::Assessment;
 use cdpr_model::control::CommandedPose;
+use cdpr_model::reading::keywords;
 
 /// Part of the error before within which two controllers follow tensions alike.
 const ALIKE: f64 = 0.01;
 
 /// Errors of the tensions under two force controllers of one machine, at the same poses.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 #[expect(non_snake_case, reason = "the fields are the keys of the answer, units included")]
 pub struct ForceTracking {
     /// Comparison of both.
@@ -25,8 +24,7 @@ pub struct ForceTracking {
 }
 
 /// Comparison of two force controllers.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub enum TrackingVerdict {
     /// The machine follows the commanded tensions better than before.
     Better,
@@ -35,6 +33,8 @@ pub enum TrackingVerdict {
     /// The machine follows them worse than before.
     Worse,
 }
+
+keywords!(TrackingVerdict: Better = "better", Alike = "alike", Worse = "worse");
 
 impl ForceTracking {
     /// The comparison of two mean errors of tensions (N); `None` unless both are known.

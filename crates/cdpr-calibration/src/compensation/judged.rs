@@ -1,7 +1,5 @@
 //! Errors with a map and without it, and the rules that decide whether it helps.
 
-use serde::Serialize;
-
 use crate::evaluation::ErrorBlocks;
 use cdpr_model::compensation::Beyond;
 
@@ -12,12 +10,11 @@ const SURE: f64 = 2.0;
 const WORTH: f64 = 0.95;
 
 /// Errors on samples held out in turn, without the map and with maps of the others.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Judged {
     /// Samples.
     pub samples: usize,
     /// Samples beyond the others, where their map is zero, and in the margin around the others, where it fades.
-    #[serde(flatten)]
     pub beyond: Beyond,
     /// Errors of the model alone.
     pub without: ErrorBlocks,

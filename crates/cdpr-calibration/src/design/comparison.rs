@@ -1,7 +1,5 @@
 //! A plan beside other numbers of poses and beside the plain grid.
 
-use serde::Serialize;
-
 use super::exchange::search;
 use super::information::Information;
 use super::settings::PlanSettings;
@@ -14,7 +12,7 @@ const POINTS: usize = 12;
 const STARTS: u32 = 4;
 
 /// Information of the best poses of a number.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct CurvePoint {
     /// Number of poses.
     pub count: usize,
@@ -23,7 +21,7 @@ pub struct CurvePoint {
 }
 
 /// The plain grid of as many poses.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct GridComparison {
     /// log det M of the grid; `None` where it does not determine all parameters.
     pub log_det: Option<f64>,

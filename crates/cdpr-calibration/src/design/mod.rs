@@ -17,8 +17,6 @@ mod settings;
 #[cfg(test)]
 mod tests;
 
-use serde::Serialize;
-
 use cdpr_model::measurement::{Samples, SensorSigmas};
 use cdpr_model::model::{FreeParameters, Model, RecordingParameter};
 use cdpr_model::robot::Parameter;
@@ -34,10 +32,9 @@ use comparison::{against_grid, curve};
 use information::Information;
 
 /// Poses that tell most, with what they tell.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Plan {
     /// Candidates chosen, from 0, in the order of a short path.
-    #[serde(skip)]
     pub chosen: Vec<usize>,
     /// Number of free parameters.
     pub parameter_count: usize,
@@ -56,7 +53,6 @@ pub struct Plan {
     /// Sets from which exchanges started, and the share of them that led to the plan's value.
     pub starts: u32,
     /// Fraction of the starts that ended there.
-    #[serde(rename = "share")]
     pub fraction: f64,
     /// log det over the number of poses.
     pub curve: Vec<CurvePoint>,

@@ -1,7 +1,5 @@
 //! Deviations that a plan lets expect: those of a fit to its exact records.
 
-use serde::Serialize;
-
 use super::candidates::Candidates;
 use crate::fit::{self, Fit, Settings};
 use cdpr_model::measurement::Samples;
@@ -14,7 +12,7 @@ const ASSUMED_LENGTH: f64 = fit::ASSUMED_NOISE;
 const BANDS: usize = 60;
 
 /// Deviation of a parameter.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct ParameterPrediction {
     /// Name, e.g. `frame-anchor[1].x`.
     pub parameter: String,
@@ -25,7 +23,7 @@ pub struct ParameterPrediction {
 }
 
 /// Deviation of the pose that a controller with the identified parameters drives to, over the candidates.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PosePrediction {
     /// Root mean square over poses of the root of the mean squared distance (m).
     pub position_m: f64,
@@ -38,10 +36,9 @@ pub struct PosePrediction {
 }
 
 /// Deviations that measurements at some poses lead to.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Predicted {
     /// Length noise that was assumed since no accuracy is stated (m); deviations are proportional to it.
-    #[serde(rename = "assumed_length_sigma_m")]
     pub assumed: Option<f64>,
     /// Every free parameter.
     pub deviations: Vec<ParameterPrediction>,

@@ -1,7 +1,5 @@
 //! Answer of a fit.
 
-use serde::Serialize;
-
 use super::frames::RecordingFrames;
 use crate::clock::ClockOffset;
 use crate::identifiability::{Analysis, Correlation};
@@ -13,11 +11,11 @@ use crate::minimize::trail::Trail;
 use crate::outliers::{self, Outlier};
 use crate::stopping::StoppedBy;
 use cdpr_model::model::Model;
+use cdpr_model::reading::keywords;
 use cdpr_model::robot::Parameter;
 
 /// Why the fit ended.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Status {
     /// The optimum is found and every parameter is determined.
@@ -30,8 +28,15 @@ pub enum Status {
     NotPredictive,
 }
 
+keywords!(
+    Status: Converged = "converged",
+    NotIdentifiable = "not-identifiable",
+    NotConverged = "not-converged",
+    NotPredictive = "not-predictive",
+);
+
 /// One identified parameter.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Estimate {
     /// Name, e.g. `frame-anchor[1].x`.
     pub name: String,
@@ -52,7 +57,6 @@ pub struct Estimate {
     /// True when the value lies on a bound, to rounding and the tolerance of the fit.
     pub at_bound: bool,
     /// Which parameter it is.
-    #[serde(skip)]
     pub parameter: Parameter,
 }
 

@@ -5,7 +5,6 @@ mod drawing;
 mod tests;
 
 use crate::progress::{Progress, Stopped, report};
-use serde::Serialize;
 
 use crate::fit::Settings;
 use drawing::Drawing;
@@ -32,14 +31,13 @@ pub struct Starts {
 }
 
 /// An optimum that some of the starts led to.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct StartOptimum {
     /// Weighted sum of squared residuals and priors.
     pub cost: f64,
     /// Starts that ended here; 0 for one that joins the best ends of cables that were identified apart.
     pub starts: usize,
     /// The same as a fraction of all starts.
-    #[serde(rename = "share")]
     pub fraction: f64,
     /// Largest difference of a parameter between two starts that ended here (m; others than lengths by their effect on cable lengths).
     pub spread_m: f64,

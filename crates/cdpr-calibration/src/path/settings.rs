@@ -2,15 +2,12 @@
 
 use std::fmt;
 
-use serde::Serialize;
-
 use crate::selection::SelectionCriterion;
 use cdpr_model::model::FreeParameters;
 use cdpr_model::reading::{Keyword, keywords};
 
 /// Penalty on changes u of parameters in metres of cable, beside ½χ².
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Penalty {
     /// ½ λ Σ u²: a prior with σ = 1/√λ.
@@ -23,8 +20,7 @@ pub enum Penalty {
 }
 
 /// Centre of a penalty.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 #[non_exhaustive]
 pub enum Towards {
     /// Values of the robot as given.

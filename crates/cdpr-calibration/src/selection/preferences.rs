@@ -1,7 +1,5 @@
 //! Criteria besides the one that decides, and the candidate that each of them chooses.
 
-use serde::Serialize;
-
 use super::settings::Settings;
 use super::{JudgedCandidate, Judgement, SelectionCriterion};
 use crate::likelihood::Information;
@@ -29,24 +27,21 @@ const LARGEST: [(&str, &str, SelectionCriterion); 2] = [
 const ROUNDING: f64 = 1e-9;
 
 /// Choice of one criterion: the simplest candidate that it cannot tell from its best.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct Preference {
     /// Name of the criterion.
     pub name: &'static str,
     /// The criterion in words, with what counts as no difference.
     pub words: String,
     /// Index of the chosen candidate.
-    #[serde(skip)]
     pub candidate: usize,
     /// Name of the chosen candidate.
-    #[serde(rename = "candidate")]
     pub candidate_name: String,
     /// Its value (SI units).
     pub value: f64,
     /// Value of the recommended candidate, where that has one.
     pub of_recommended: Option<f64>,
     /// Values of all candidates, in their order; not a number where the criterion does not rate one.
-    #[serde(skip)]
     pub values: Vec<f64>,
 }
 

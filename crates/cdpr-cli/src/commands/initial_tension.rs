@@ -19,7 +19,7 @@ use crate::failure::Failure;
 use crate::numbers::{NumberList, Unreadable};
 use crate::progress::Progress;
 use crate::study_file::StudyFile;
-use cdpr_reports::answers::{InitialTensionAnswer, WinchState};
+use cdpr_reports::answers::{InitialTensionAnswer, Size, WinchState};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -113,12 +113,13 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     output.answer(&InitialTensionAnswer::new(&study_file, [former, latter], best, way, poses.len()))
 }
 
-/// Area or volume of the reachable workspace in the orientation of the initial pose (m², m³), by a grid.
-fn size(study_file: &StudyFile, pose: &Pose) -> Result<f64, Failure> {
+/// Area or volume of the reachable workspace in the orientation of the initial pose by a grid.
+fn size(study_file: &StudyFile, pose: &Pose) -> Result<Size<f64>, Failure> {
     let reachable = study_file.accepted(study_file.reachable())?;
     let refused = |error: WorkspaceError| study_file.refused(&error);
     let region = study_file.region(&reachable, pose.rotation).map_err(refused)?;
     let bounds = study_file.bounds(None).map_err(refused)?;
     let grid = Grid::new(&bounds, bounds.usual_step()).map_err(refused)?;
-    Ok(grid::count(&region, &grid).outcome(&grid).size)
+    let value = grid::count(&region, &grid).outcome(&grid).size;
+    Ok(Size { name: "reachable", is_planar: region.dimension() == 2, value })
 }

@@ -4,7 +4,7 @@ use std::path::PathBuf;
 use std::process::ExitCode;
 
 use cdpr_model::model::Model;
-use cdpr_reports::reachable::{Change, Found, Picture, ReachableAnswer, differential};
+use cdpr_reports::reachable::{Change, Picture, ReachableAnswer, Searched, differential};
 use cdpr_study::reachable::{Census, Image, Reachable, image_of};
 use cdpr_study::sensitivity::{Offsets, ParameterDeviation};
 use cdpr_workspace::grid::{self, Grid};
@@ -134,7 +134,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         Method::Grid => search.by_grid(&reachable, &arguments, &thresholds)?,
         Method::Hull => search.by_hull(&reachable, &arguments, cause)?,
     };
-    output.answer(&ReachableAnswer::new(&study_file, &region, &bounds, found))
+    output.answer(&found)
 }
 
 /// Options that need another method, and files that name no format.
@@ -178,7 +178,16 @@ struct Search<'a> {
 }
 
 impl Search<'_> {
-    fn by_grid(&self, reachable: &Reachable, arguments: &Arguments, thresholds: &[f64]) -> Result<Found, Failure> {
+    fn searched(&self) -> Searched<'_> {
+        Searched { experiment: self.study_file, region: self.region, bounds: &self.bounds }
+    }
+
+    fn by_grid(
+        &self,
+        reachable: &Reachable,
+        arguments: &Arguments,
+        thresholds: &[f64],
+    ) -> Result<ReachableAnswer, Failure> {
         let step = arguments.step.unwrap_or(self.bounds.usual_step());
         let grid = Grid::new(&self.bounds, step).map_err(|error| Failure::refused("--step", &error))?;
         let progress = Progress::spinner("commanding the cells of the grid");
@@ -193,10 +202,11 @@ impl Search<'_> {
             let criterion = reachable.by_linear_step();
             grid::count(&self.region.with_criterion(&criterion), &grid).outcome(&grid).size
         });
-        let found = Found::of_grid(reachable, self.region, &grid, &census, &answers, [physical, model], thresholds);
-        let found = Found { linear, ..found };
+        let feasible = [physical, model];
+        let answer =
+            ReachableAnswer::of_grid(self.searched(), reachable, &grid, &census, &answers, feasible, thresholds);
         drop(progress);
-        Ok(self.explained(found))
+        Ok(answer.with_linear(linear).explained(|| self.why_nothing()))
     }
 
     fn by_hull(
@@ -204,7 +214,7 @@ impl Search<'_> {
         reachable: &Reachable,
         arguments: &Arguments,
         change: Option<(ParameterDeviation, f64)>,
-    ) -> Result<Found, Failure> {
+    ) -> Result<ReachableAnswer, Failure> {
         let mut settings = hull::Settings::new(&self.bounds);
         settings.rays = arguments.rays.unwrap_or(settings.rays);
         let progress = Progress::spinner("following rays");
@@ -241,9 +251,9 @@ impl Search<'_> {
         let size = |region: &Region<'_>| Some(solve(region).ok()?.measure()?.size);
         let compensation = reachable.map_effect(self.region, &found.vertices(), size);
         let feasible = [physical.as_ref(), model.as_ref()];
-        let answer = Found { linear, differential, compensation, ..Found::of_hull(&found, feasible, image) };
+        let answer = ReachableAnswer::of_hull(self.searched(), &found, feasible, image, compensation);
         drop(progress);
-        Ok(answer)
+        Ok(answer.with_linear(linear).with_differential(differential))
     }
 
     /// Size within the rays of what one linear step reaches; `None` if it is not star-shaped.
@@ -277,14 +287,6 @@ impl Search<'_> {
         let points = image.vertices.iter().chain([&hull.center]);
         let vertices = points.map(|point| self.region.position(point).into()).take(mesh.vertices.len()).collect();
         write_mesh(path, &Mesh { vertices, ..mesh })
-    }
-
-    /// Says why nothing is reached, if nothing is.
-    fn explained(&self, mut found: Found) -> Found {
-        if found.feasible_points == 0 {
-            found.reason = Some(format!("none of {} commanded poses is reached{}", found.points, self.why_nothing()));
-        }
-        found
     }
 
     /// Reason that stands in the way at the center; where that is reached, the box or its cells are to blame.

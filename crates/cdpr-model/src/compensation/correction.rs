@@ -1,7 +1,5 @@
 //! Correction of a map at one pose, and numbers of poses at which it does not act fully.
 
-use serde::Serialize;
-
 use super::map_error::MapError;
 
 /// Fraction from which on a map counts as acting fully, to allow for rounding.
@@ -39,7 +37,7 @@ impl Correction {
 }
 
 /// Numbers of poses at which a map does not act fully.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq, Serialize)]
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Beyond {
     /// Number of poses beyond its margin, where only the model acts.
     pub outside: usize,

@@ -1,10 +1,9 @@
 //! Error statistics of a model (eq. 3.3–3.8): mean, root mean square and more, over poses and over cables.
 
 use nalgebra::Vector3;
-use serde::Serialize;
 
 /// Mean, root mean square and more of a non-negative error over poses.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct PoseErrorStatistics {
     /// Mean (eq. 3.4).
     pub mean: f64,
@@ -19,7 +18,7 @@ pub struct PoseErrorStatistics {
 }
 
 /// Error of the cable lengths over poses and cables (m).
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct LengthErrorStatistics {
     /// Mean of the magnitudes.
     pub mean_abs: f64,
@@ -32,7 +31,7 @@ pub struct LengthErrorStatistics {
 }
 
 /// Error of the tensions over poses and cables (N).
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct TensionErrorStatistics {
     /// Mean over poses of the 2-norm over cables.
     pub mean_norm: f64,

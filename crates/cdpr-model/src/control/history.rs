@@ -5,7 +5,7 @@ use serde::{Deserialize, Serialize};
 use crate::model::Model;
 
 /// Path on which a machine with hysteresis comes to the poses.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, Serialize, schemars::JsonSchema)]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, Deserialize, schemars::JsonSchema)]
 #[serde(deny_unknown_fields, default)]
 pub struct History {
     /// Pose that each pose is reached from.

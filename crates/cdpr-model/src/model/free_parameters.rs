@@ -3,7 +3,6 @@
 use std::fmt;
 use std::str::FromStr;
 
-use serde::{Serialize, Serializer};
 use thiserror::Error;
 
 use super::{Composition, Model, StretchEffect};
@@ -289,12 +288,6 @@ impl fmt::Display for FreeParameters {
             write!(f, "{comma}{}", parameter.name())?;
         }
         Ok(())
-    }
-}
-
-impl Serialize for FreeParameters {
-    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
-        serializer.collect_str(self)
     }
 }
 

@@ -10,9 +10,12 @@ use cdpr_study::branches::Branches;
 use cdpr_study::force_tracking::ForceTracking;
 use serde::Serialize;
 
-use super::error_table::{Source, convergence_remark, error_table};
+use super::error_table::{
+    Source, convergence_remark, error_table, named, of_lengths, of_poses, of_tensions, quantities,
+};
 use super::tracking_answer::TrackingAnswer;
 use super::{Answer, DifferenceAnswer, beyond_map, control_title, gain_words, title};
+use crate::keys::{AccuracyKeys, BranchesKeys, ErrorBlockKeys, HistoryKeys, Maybe};
 use crate::number_format::cell;
 use crate::table::Table;
 
@@ -23,16 +26,16 @@ pub struct AccuracyAnswer {
     reason: Option<String>,
     control: String,
     machine: String,
-    #[serde(flatten)]
+    #[serde(flatten, with = "AccuracyKeys")]
     accuracy: Accuracy,
     winch_offsets_m: Vec<f64>,
     #[serde(rename = "initial_tensions_N")]
     initial_tensions: Option<Vec<f64>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     prediction: Option<Prediction>,
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(with = "Maybe::<HistoryKeys>", skip_serializing_if = "Option::is_none")]
     history: Option<History>,
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(with = "Maybe::<BranchesKeys>", skip_serializing_if = "Option::is_none")]
     branches: Option<Branches>,
     seed: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -50,7 +53,7 @@ pub struct AccuracyAnswer {
 #[derive(Serialize)]
 struct Prediction {
     model: String,
-    #[serde(flatten)]
+    #[serde(flatten, with = "ErrorBlockKeys")]
     blocks: ErrorBlocks,
 }
 
@@ -201,22 +204,20 @@ impl Answer for AccuracyAnswer {
 
 impl AccuracyAnswer {
     fn errors(&self, width: Option<usize>) -> String {
+        const STATISTICS: [&str; 5] = ["mean", "rms", "median", "p95", "max"];
         let Accuracy { position_error_m, rotation_error_rad, length_error_m, tension_error_N, .. } = &self.accuracy;
-        let mut table = Table::new(["error", "unit", "mean", "rms", "median", "p95", "max"]).left_column(1);
-        let mut row = |name: &str, unit: &str, factor: f64, decimals: usize, numbers: [Option<f64>; 5]| {
-            let cells = numbers.map(|number| cell(number.map(|number| factor * number), decimals));
-            table.row([vec![name.to_owned(), unit.to_owned()], cells.to_vec()].concat());
-        };
-        let e = position_error_m;
-        row("position", "mm", 1e3, 3, [e.mean, e.rms, e.median, e.p95, e.max].map(Some));
-        if self.pattern.has_rotation() {
-            let e = rotation_error_rad;
-            row("rotation", "°", 1.0_f64.to_degrees(), 4, [e.mean, e.rms, e.median, e.p95, e.max].map(Some));
-        }
-        let e = length_error_m;
-        row("length", "mm", 1e3, 3, [Some(e.mean_abs), Some(e.rms), None, Some(e.p95), Some(e.max)]);
-        if let Some(e) = tension_error_N {
-            row("tension", "N", 1.0, 1, [Some(e.mean_abs), Some(e.rms), None, None, Some(e.max)]);
+        let heading = ["error", "unit"].into_iter().chain(STATISTICS);
+        let mut table = Table::with_heading(heading.map(str::to_owned).collect()).left_column(1);
+        let errors = [
+            Some(of_poses(position_error_m)),
+            self.pattern.has_rotation().then(|| of_poses(rotation_error_rad)),
+            Some(of_lengths(length_error_m)),
+            tension_error_N.as_ref().map(of_tensions),
+        ];
+        for (quantity, errors) in quantities().iter().zip(errors) {
+            let Some(errors) = errors else { continue };
+            let words = [quantity.name, quantity.unit].map(str::to_owned);
+            table.row(words.into_iter().chain(STATISTICS.map(|name| quantity.cell(named(&errors, name)))).collect());
         }
         table.text(width)
     }

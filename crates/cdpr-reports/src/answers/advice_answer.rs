@@ -1,13 +1,14 @@
 //! The answer of what control model a task needs.
 
-use cdpr_model::control::error_statistics::PoseErrorStatistics;
 use cdpr_model::model::Model;
 use cdpr_study::advice::{Advice, Candidate};
 use cdpr_study::effects;
 use cdpr_workspace::Bounds;
 use serde::Serialize;
 
-use crate::keys::PoseErrorKeys;
+use crate::keys::adapters::keys;
+use crate::keys::{Each, PoseErrorKeys};
+
 /// Control models for a task, judged against a machine; keys and units as in JSON.
 #[derive(Serialize)]
 pub struct AdviceAnswer {
@@ -32,10 +33,13 @@ pub struct AdviceAnswer {
     /// The simplest model that reaches as much as one like the machine.
     pub recommended: Option<String>,
     /// Effects without which less is reached.
+    #[serde(with = "Each::<EffectKeys>")]
     pub must_be_modelled: Vec<EffectAnswer>,
     /// Effects without which as much is reached.
+    #[serde(with = "Each::<EffectKeys>")]
     pub may_be_left_out: Vec<EffectAnswer>,
     /// Models, from simple to complex.
+    #[serde(with = "Each::<AdvisedModelKeys>")]
     pub candidates: Vec<AdvisedModel>,
     /// Effects that the robot does not support.
     pub missing: Vec<String>,
@@ -51,19 +55,11 @@ pub struct AdviceTiming {
 }
 
 /// One effect, left out of the machine's model on its own.
-#[derive(Serialize)]
 pub struct EffectAnswer {
     /// Name of the effect.
     pub effect: &'static str,
-    /// Mean position error without it.
-    pub position_error_mean_m: f64,
-    /// Largest position error without it.
-    pub position_error_max_m: f64,
-    /// Largest rotation error without it.
-    pub rotation_error_max_rad: f64,
-    /// Tension error.
-    #[serde(rename = "tension_error_N")]
-    pub tension_error: Option<f64>,
+    /// Control model without it.
+    pub without: Candidate,
     /// Share of the attainable poses that are reached.
     pub reached_share: f64,
     /// Number of parameters.
@@ -73,33 +69,30 @@ pub struct EffectAnswer {
 }
 
 /// A control model.
-#[derive(Serialize)]
 pub struct AdvisedModel {
-    /// Effects of the model.
-    pub model: String,
-    /// Effects of the machine that it lacks.
-    pub left_out: Vec<&'static str>,
-    /// Position error.
-    #[serde(with = "PoseErrorKeys")]
-    pub position_error_m: PoseErrorStatistics,
-    /// Rotation error.
-    #[serde(with = "PoseErrorKeys")]
-    pub rotation_error_rad: PoseErrorStatistics,
-    /// Tension error.
-    #[serde(rename = "tension_error_N")]
-    pub tension_error: Option<f64>,
-    /// Poses with an answer.
-    pub answered_poses: usize,
-    /// Poses that are reached.
-    pub reached_poses: usize,
+    /// The model with its errors.
+    pub candidate: Candidate,
     /// Of the poses that any model reaches.
     pub reached_share: f64,
     /// Share of the poses that can be commanded within the limits.
     pub share_within_tension_limits: f64,
-    /// Number of parameters.
-    pub parameter_count: usize,
-    /// Reason why poses are out of reach, or have no answer.
-    pub reason: Option<String>,
+}
+
+keys! {
+    /// One effect.
+    EffectKeys of EffectAnswer {
+        effect, without.position_error.mean = "position_error_mean_m", without.position_error.max = "position_error_max_m",
+        without.rotation_error.max = "rotation_error_max_rad", without.tension_error = "tension_error_N", reached_share,
+        parameter_count, cost,
+    }
+    /// A control model.
+    AdvisedModelKeys of AdvisedModel {
+        candidate.control.to_string() = "model", candidate.left_out = "left_out",
+        candidate.position_error = "position_error_m" by PoseErrorKeys,
+        candidate.rotation_error = "rotation_error_rad" by PoseErrorKeys, candidate.tension_error = "tension_error_N",
+        candidate.answered = "answered_poses", candidate.reached = "reached_poses", reached_share,
+        share_within_tension_limits, candidate.parameter_count = "parameter_count", candidate.reason = "reason",
+    }
 }
 
 impl AdviceAnswer {
@@ -123,6 +116,11 @@ impl AdviceAnswer {
             effects[usize::from(candidate.reached >= best)].push(EffectAnswer::new(effect, candidate, advice, machine));
         }
         let [must_be_modelled, may_be_left_out] = effects;
+        let advised = |candidate: &Candidate| AdvisedModel {
+            reached_share: advice.reached_share(candidate),
+            share_within_tension_limits: candidate.commanded as f64 / advice.poses as f64,
+            candidate: candidate.clone(),
+        };
         let reason = (best < advice.poses).then(|| out_of_reach(advice, best));
         Self {
             status: if reason.is_none() { "advised" } else { "out-of-reach" },
@@ -137,7 +135,7 @@ impl AdviceAnswer {
             recommended,
             must_be_modelled,
             may_be_left_out,
-            candidates: advice.candidates.iter().map(|candidate| AdvisedModel::new(candidate, advice)).collect(),
+            candidates: advice.candidates.iter().map(advised).collect(),
             missing,
             timing,
         }
@@ -162,31 +160,10 @@ impl EffectAnswer {
     fn new(effect: &'static str, without: &Candidate, advice: &Advice, machine: &Model) -> Self {
         Self {
             effect,
-            position_error_mean_m: without.position_error.mean,
-            position_error_max_m: without.position_error.max,
-            rotation_error_max_rad: without.rotation_error.max,
-            tension_error: without.tension_error,
             reached_share: advice.reached_share(without),
+            without: without.clone(),
             parameter_count: effects::parameter_count(effect, machine.robot()),
             cost: effects::cost(effect),
-        }
-    }
-}
-
-impl AdvisedModel {
-    fn new(candidate: &Candidate, advice: &Advice) -> Self {
-        Self {
-            model: candidate.control.to_string(),
-            left_out: candidate.left_out.clone(),
-            position_error_m: candidate.position_error,
-            rotation_error_rad: candidate.rotation_error,
-            tension_error: candidate.tension_error,
-            answered_poses: candidate.answered,
-            reached_poses: candidate.reached,
-            reached_share: advice.reached_share(candidate),
-            share_within_tension_limits: candidate.commanded as f64 / advice.poses as f64,
-            parameter_count: candidate.parameter_count,
-            reason: candidate.reason.clone(),
         }
     }
 }

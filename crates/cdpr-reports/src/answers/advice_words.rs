@@ -25,17 +25,19 @@ impl Answer for AdviceAnswer {
         let heading =
             ["control model", "mean mm", "max mm", "max °", "tension N", "answers", "reached", "parameters", "ns"];
         let mut table = Table::new(heading);
-        for (candidate, time) in self.candidates.iter().zip(&self.timing.command_ns) {
+        for (own, time) in self.candidates.iter().zip(&self.timing.command_ns) {
+            let candidate = &own.candidate;
+            let model = candidate.control.to_string();
             let finite = |number: f64| Some(number).filter(|number| number.is_finite());
-            let mark = if self.recommended.as_ref() == Some(&candidate.model) { " ←" } else { "" };
+            let mark = if self.recommended.as_ref() == Some(&model) { " ←" } else { "" };
             table.row(vec![
-                format!("{}{mark}", candidate.model),
-                cell(finite(1e3 * candidate.position_error_m.mean), 3),
-                cell(finite(1e3 * candidate.position_error_m.max), 3),
-                cell(finite(candidate.rotation_error_rad.max.to_degrees()), 4),
+                format!("{model}{mark}"),
+                cell(finite(1e3 * candidate.position_error.mean), 3),
+                cell(finite(1e3 * candidate.position_error.max), 3),
+                cell(finite(candidate.rotation_error.max.to_degrees()), 4),
                 cell(candidate.tension_error, 1),
-                format!("{}/{}", candidate.answered_poses, self.poses),
-                format!("{:.0} %", 100.0 * candidate.reached_share),
+                format!("{}/{}", candidate.answered, self.poses),
+                format!("{:.0} %", 100.0 * own.reached_share),
                 candidate.parameter_count.to_string(),
                 cell(finite(*time), 0),
             ]);
@@ -75,10 +77,11 @@ impl Answer for AdviceAnswer {
 
 /// Poses at which errors are compared, in words, where models lack answers.
 fn comparison(answer: &AdviceAnswer) -> Option<String> {
-    let all = answer.candidates.iter().all(|candidate| candidate.answered_poses == answer.poses);
-    let lacking = answer.candidates.iter().find(|candidate| candidate.answered_poses < answer.poses);
+    let mut candidates = answer.candidates.iter().map(|own| &own.candidate);
+    let all = candidates.clone().all(|candidate| candidate.answered == answer.poses);
+    let lacking = candidates.find(|candidate| candidate.answered < answer.poses);
     (!all).then(|| {
-        let why = lacking.and_then(|candidate| candidate.reason.as_ref().map(|reason| (&candidate.model, reason)));
+        let why = lacking.and_then(|candidate| candidate.reason.as_ref().map(|reason| (&candidate.control, reason)));
         let why = why.map_or_else(String::new, |(model, reason)| format!("; `{model}`: {reason}"));
         match answer.compared_poses {
             0 => format!("there is no pose at which every model has an answer, so that errors cannot be compared{why}"),
@@ -92,10 +95,12 @@ fn comparison(answer: &AdviceAnswer) -> Option<String> {
 
 /// The effect in one line.
 fn sentence(effect: &EffectAnswer) -> String {
-    let turn = effect.rotation_error_max_rad.to_degrees();
+    let turn = effect.without.rotation_error.max.to_degrees();
     let turn = if turn > 1e-6 { format!(", {}°", significant(turn, 2)) } else { String::new() };
-    let tension =
-        effect.tension_error.map_or_else(String::new, |error| format!(", {} N of tension", significant(error, 3)));
+    let tension = effect
+        .without
+        .tension_error
+        .map_or_else(String::new, |error| format!(", {} N of tension", significant(error, 3)));
     let parameters = match effect.parameter_count {
         0 => String::new(),
         count => format!("{count} parameters, "),
@@ -103,7 +108,7 @@ fn sentence(effect: &EffectAnswer) -> String {
     format!(
         "  {}: left out it costs up to {} mm{turn}{tension} and leaves {:.0} % of what can be reached; with it: {parameters}{}\n",
         effect.effect,
-        significant(1e3 * effect.position_error_max_m, 3),
+        significant(1e3 * effect.without.position_error.max, 3),
         100.0 * effect.reached_share,
         effect.cost
     )

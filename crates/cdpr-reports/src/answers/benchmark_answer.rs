@@ -276,16 +276,12 @@ impl Answer for BenchmarkAnswer {
 
     fn words(&self, width: Option<usize>) -> String {
         let mut table = Table::new(COLUMNS).left_column(1);
-        self.rows().into_iter().for_each(|row| {
-            table.row(row);
-        });
+        table.rows(self.rows());
         let mut text = String::from("errors with the numbers of the file → with identified ones\n\n");
         text.push_str(&table.text(width));
         if !self.printed.is_empty() {
             let mut printed = Table::new(PRINTED_COLUMNS);
-            self.printed.iter().for_each(|one| {
-                printed.row(printed_cells(one));
-            });
+            printed.rows(self.printed.iter().map(printed_cells));
             text.push_str(&format!("\nprinted of real machines\n\n{}", printed.text(width)));
         }
         text.push('\n');

@@ -10,7 +10,7 @@ use serde::Serialize;
 use super::{Answer, title};
 use crate::figures::{CourseHeight, CoursePanel, Figure, rounds};
 use crate::html_page::{Page, PageError, PageKind, plain, prose};
-use crate::keys::{Each, RoundKeys, Word};
+use crate::keys::{AccuracyKeys, Each, Maybe, RoundKeys, Word};
 use crate::number_format::{NONE, significant};
 use crate::table::Table;
 
@@ -41,6 +41,7 @@ pub struct CampaignAnswer {
 /// The controller before the first round.
 #[derive(Serialize)]
 struct Nominal {
+    #[serde(with = "Maybe::<AccuracyKeys>")]
     driven: Option<Accuracy>,
     reach_share: f64,
 }
@@ -231,9 +232,7 @@ impl Answer for CampaignAnswer {
 
     fn words(&self, width: Option<usize>) -> String {
         let mut table = Table::new(COLUMNS);
-        self.rows().into_iter().for_each(|row| {
-            table.row(row);
-        });
+        table.rows(self.rows());
         let warnings: String = self.warnings.iter().map(|warning| format!("caution: {warning}\n")).collect();
         format!(
             "{} on {}, {} poses to choose among\n{warnings}{}\n\nmean position errors; predicted: of the round before on the new samples; held out: by parts in turn\n\n{}\nrounds, \

@@ -10,6 +10,8 @@ use super::tracking_answer::TrackingAnswer;
 use super::{Answer, title};
 use crate::figures::{ErrorPanel, ErrorRows, Figure};
 use crate::html_page::{Page, PageError, PageKind, plain, prose};
+use crate::keys::adapters::keys;
+use crate::keys::{ChainStepKeys, Maybe};
 use crate::number_format::{NONE, short, significant};
 use crate::table::Table;
 
@@ -41,31 +43,16 @@ pub struct ChainAnswer {
 /// A stage beside its published errors.
 #[derive(Serialize)]
 struct StepAnswer {
-    #[serde(flatten)]
+    #[serde(flatten, with = "ChainStepKeys")]
     step: ChainStep,
     /// Errors that the study quotes.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    printed: Option<PrintedErrors>,
+    #[serde(with = "Maybe::<PublishedKeys>", skip_serializing_if = "Option::is_none")]
+    printed: Option<PublishedStage>,
 }
 
-#[derive(Serialize)]
-#[expect(non_snake_case, reason = "the fields are the keys of the answer, units included")]
-struct PrintedErrors {
-    position_mean_m: Option<f64>,
-    rotation_mean_rad: Option<f64>,
-    length_mean_abs_m: Option<f64>,
-    tension_mean_norm_N: Option<f64>,
-}
-
-impl PrintedErrors {
-    fn of(stage: &PublishedStage) -> Self {
-        Self {
-            position_mean_m: stage.position_mean_m,
-            rotation_mean_rad: stage.rotation_mean_rad,
-            length_mean_abs_m: stage.length_mean_abs_m,
-            tension_mean_norm_N: stage.tension_mean_norm_N,
-        }
-    }
+keys! {
+    /// Errors that a study quotes of a stage.
+    PublishedKeys of PublishedStage { position_mean_m, rotation_mean_rad, length_mean_abs_m, tension_mean_norm_N }
 }
 
 /// Errors before a stage divided by those after it.
@@ -84,7 +71,7 @@ impl ChainAnswer {
         let ratios = ratios(&chain.steps);
         let published = &experiment.study.published;
         let step = |step: ChainStep| {
-            let printed = published.iter().find(|own| own.stage == step.name).map(PrintedErrors::of);
+            let printed = published.iter().find(|own| own.stage == step.name).cloned();
             StepAnswer { step, printed }
         };
         let force_tracking = chain.force_tracking.zip(experiment.prediction.as_ref());
@@ -119,7 +106,7 @@ impl ChainAnswer {
         let figure =
             |value: f64, scale: f64| if value.is_finite() { significant(scale * value, 3) } else { NONE.to_owned() };
         let row = |StepAnswer { step, printed }: &StepAnswer| {
-            let beside = |own: Option<f64>, scale: f64, read: fn(&PrintedErrors) -> Option<f64>| {
+            let beside = |own: Option<f64>, scale: f64, read: fn(&PublishedStage) -> Option<f64>| {
                 let own = own.map_or_else(|| NONE.to_owned(), |value| figure(value, scale));
                 match printed.as_ref().and_then(read) {
                     Some(value) => format!("{own} ({})", short(1e-4 * (1e4 * scale * value).round())),
@@ -185,7 +172,7 @@ impl ChainAnswer {
     fn figure(&self) -> Option<Figure> {
         let panel = |label: &str,
                      own: fn(&ChainStep) -> Option<f64>,
-                     printed: fn(&PrintedErrors) -> Option<f64>,
+                     printed: fn(&PublishedStage) -> Option<f64>,
                      scale: f64| {
             let value = |one: &StepAnswer| {
                 let printed = one.printed.as_ref().and_then(printed);
@@ -278,9 +265,7 @@ impl Answer for ChainAnswer {
 
     fn words(&self, width: Option<usize>) -> String {
         let mut table = Table::new(COLUMNS).left_column(1);
-        self.rows().into_iter().for_each(|row| {
-            table.row(row);
-        });
+        table.rows(self.rows());
         let printed =
             if self.steps.iter().any(|one| one.printed.is_some()) { "; published errors in brackets" } else { "" };
         let mut text: String = self.warnings.iter().map(|caution| format!("Caution: {caution}.\n\n")).collect();

@@ -1,6 +1,7 @@
 //! Error blocks side by side, for people: mm, degrees, N.
 
 use cdpr_calibration::ErrorBlocks;
+use cdpr_model::control::{LengthErrorStatistics, PoseErrorStatistics, TensionErrorStatistics};
 use cdpr_model::geometry::MotionPattern;
 
 use crate::number_format::{cell, decimals_for};
@@ -15,6 +16,65 @@ pub(super) enum Source {
     Measurements,
 }
 
+/// Names of statistics with their values.
+pub(crate) type Statistics = Vec<(&'static str, f64)>;
+
+/// Statistics over poses.
+pub(crate) fn of_poses(error: &PoseErrorStatistics) -> Statistics {
+    let PoseErrorStatistics { mean, rms, median, p95, max } = *error;
+    vec![("mean", mean), ("rms", rms), ("median", median), ("p95", p95), ("max", max)]
+}
+
+/// Statistics over poses and cables.
+pub(crate) fn of_lengths(error: &LengthErrorStatistics) -> Statistics {
+    let LengthErrorStatistics { mean_abs, rms, p95, max } = *error;
+    vec![("mean", mean_abs), ("rms", rms), ("p95", p95), ("max", max)]
+}
+
+/// Statistics of tensions.
+pub(crate) fn of_tensions(error: &TensionErrorStatistics) -> Statistics {
+    let TensionErrorStatistics { mean_norm, mean_abs, rms, max } = *error;
+    vec![("mean norm", mean_norm), ("mean", mean_abs), ("rms", rms), ("max", max)]
+}
+
+/// Value of the statistic of a name; `None` if there is no such statistic.
+pub(crate) fn named(statistics: &Statistics, name: &str) -> Option<f64> {
+    statistics.iter().find(|(own, _)| *own == name).map(|(_, value)| *value)
+}
+
+/// Quantity that errors are of, with its unit for people.
+pub(crate) struct Quantity {
+    /// Word in tables.
+    pub(crate) name: &'static str,
+    /// Unit for people.
+    pub(crate) unit: &'static str,
+    /// From SI units to this one.
+    pub(crate) factor: f64,
+    decimals: usize,
+    /// Its statistics in SI units; `None` if the model knows none, or the data have none.
+    pub(crate) read: fn(&ErrorBlocks) -> Option<Statistics>,
+}
+
+impl Quantity {
+    /// A statistic in the unit for people; a dash for none.
+    pub(super) fn cell(&self, value: Option<f64>) -> String {
+        cell(value.map(|value| self.factor * value), self.decimals)
+    }
+}
+
+/// All quantities, in the order of tables: position, rotation, length, tension, swivel.
+pub(crate) fn quantities() -> [Quantity; 5] {
+    let degrees = 1.0_f64.to_degrees();
+    let quantity = |name, unit, factor, decimals, read| Quantity { name, unit, factor, decimals, read };
+    [
+        quantity("position", "mm", 1e3, 3, |blocks| Some(of_poses(&blocks.position_error_m))),
+        quantity("rotation", "°", degrees, 4, |blocks| Some(of_poses(&blocks.rotation_error_rad))),
+        quantity("length", "mm", 1e3, 3, |blocks| Some(of_lengths(&blocks.length_error_m))),
+        quantity("tension", "N", 1.0, 1, |blocks| blocks.tension_error.as_ref().map(of_tensions)),
+        quantity("swivel", "°", degrees, 4, |blocks| blocks.swivel_error.as_ref().map(of_lengths)),
+    ]
+}
+
 /// A table with a column for each block and a row for each statistic; rotations only where the platform can turn.
 pub(super) fn error_table(
     pattern: MotionPattern,
@@ -25,29 +85,21 @@ pub(super) fn error_table(
     let mut heading = vec!["error".to_owned(), "of".to_owned(), "unit".to_owned()];
     heading.extend(columns.iter().map(|(name, _)| (*name).to_owned()));
     let mut table = Table::with_heading(heading).left_column(1).left_column(2);
-    let mut rows = |quantity: &str, unit: &str, factor: f64, decimals: usize, statistics: &[Statistic]| {
-        let sigmas = columns.iter().map(|(_, blocks)| factor * standard_error(blocks, statistics));
-        let decimals = match sigmas.filter(|sigma| *sigma > 0.0).reduce(f64::min) {
-            Some(sigma) if source == Source::Measurements => decimals.min(decimals_for(Some(sigma)) as usize),
-            _ => decimals,
-        };
-        for (index, (name, value)) in statistics.iter().enumerate() {
-            let first = if index == 0 { quantity } else { "" };
-            let mut cells = vec![first.to_owned(), (*name).to_owned(), unit.to_owned()];
-            cells.extend(columns.iter().map(|(_, blocks)| cell(Some(factor * value(blocks)), decimals)));
-            table.row(cells);
+    let shown = |quantity: &Quantity| quantity.name != "rotation" || pattern.has_rotation();
+    for mut quantity in quantities().into_iter().filter(shown) {
+        let read: Vec<Option<Statistics>> = columns.iter().map(|(_, blocks)| (quantity.read)(blocks)).collect();
+        let sigmas = columns.iter().zip(&read).filter_map(|((_, blocks), own)| {
+            Some(quantity.factor * standard_error(blocks.samples, own.as_ref()?)).filter(|sigma| *sigma > 0.0)
+        });
+        if let Some(sigma) = sigmas.reduce(f64::min).filter(|_| source == Source::Measurements) {
+            quantity.decimals = quantity.decimals.min(decimals_for(Some(sigma)) as usize);
         }
-    };
-    rows("position", "mm", 1e3, 3, &POSITION);
-    if pattern.has_rotation() {
-        rows("rotation", "°", 1.0_f64.to_degrees(), 4, &ROTATION);
-    }
-    rows("length", "mm", 1e3, 3, &LENGTH);
-    if columns.iter().any(|(_, blocks)| blocks.tension_error.is_some()) {
-        rows("tension", "N", 1.0, 1, &TENSION);
-    }
-    if columns.iter().any(|(_, blocks)| blocks.swivel_error.is_some()) {
-        rows("swivel", "°", 1.0_f64.to_degrees(), 4, &SWIVEL);
+        for (index, (name, _)) in read.iter().flatten().next().into_iter().flatten().enumerate() {
+            let first = if index == 0 { quantity.name } else { "" };
+            let values = read.iter().map(|own| quantity.cell(own.as_ref().map(|own| own[index].1)));
+            let words = [first, name, quantity.unit].map(str::to_owned);
+            table.row(words.into_iter().chain(values).collect());
+        }
     }
     table.text(width)
 }
@@ -64,49 +116,9 @@ pub(super) fn convergence_remark(blocks: &ErrorBlocks, what: &str) -> Option<Str
     })
 }
 
-/// Standard error of the mean of a quantity, by its mean and its root mean square; of samples whose cables err alike.
-fn standard_error(blocks: &ErrorBlocks, statistics: &[Statistic]) -> f64 {
-    let of = |name: &str| statistics.iter().find(|(of, _)| *of == name).map_or(f64::NAN, |(_, value)| value(blocks));
+/// Standard error of the mean of a quantity over so many samples, by its mean and its root mean square; of samples whose cables err alike.
+fn standard_error(samples: usize, statistics: &Statistics) -> f64 {
+    let of = |name: &str| named(statistics, name).unwrap_or(f64::NAN);
     let (mean, rms) = (of("mean"), of("rms"));
-    ((rms * rms - mean * mean).max(0.0) / blocks.samples.max(1) as f64).sqrt()
+    ((rms * rms - mean * mean).max(0.0) / samples.max(1) as f64).sqrt()
 }
-
-/// Name of a statistic and where it stands.
-type Statistic = (&'static str, fn(&ErrorBlocks) -> f64);
-
-const POSITION: [Statistic; 5] = [
-    ("mean", |blocks| blocks.position_error_m.mean),
-    ("rms", |blocks| blocks.position_error_m.rms),
-    ("median", |blocks| blocks.position_error_m.median),
-    ("p95", |blocks| blocks.position_error_m.p95),
-    ("max", |blocks| blocks.position_error_m.max),
-];
-
-const ROTATION: [Statistic; 5] = [
-    ("mean", |blocks| blocks.rotation_error_rad.mean),
-    ("rms", |blocks| blocks.rotation_error_rad.rms),
-    ("median", |blocks| blocks.rotation_error_rad.median),
-    ("p95", |blocks| blocks.rotation_error_rad.p95),
-    ("max", |blocks| blocks.rotation_error_rad.max),
-];
-
-const TENSION: [Statistic; 4] = [
-    ("mean norm", |blocks| blocks.tension_error.map_or(f64::NAN, |error| error.mean_norm)),
-    ("mean", |blocks| blocks.tension_error.map_or(f64::NAN, |error| error.mean_abs)),
-    ("rms", |blocks| blocks.tension_error.map_or(f64::NAN, |error| error.rms)),
-    ("max", |blocks| blocks.tension_error.map_or(f64::NAN, |error| error.max)),
-];
-
-const SWIVEL: [Statistic; 4] = [
-    ("mean", |blocks| blocks.swivel_error.map_or(f64::NAN, |error| error.mean_abs)),
-    ("rms", |blocks| blocks.swivel_error.map_or(f64::NAN, |error| error.rms)),
-    ("p95", |blocks| blocks.swivel_error.map_or(f64::NAN, |error| error.p95)),
-    ("max", |blocks| blocks.swivel_error.map_or(f64::NAN, |error| error.max)),
-];
-
-const LENGTH: [Statistic; 4] = [
-    ("mean", |blocks| blocks.length_error_m.mean_abs),
-    ("rms", |blocks| blocks.length_error_m.rms),
-    ("p95", |blocks| blocks.length_error_m.p95),
-    ("max", |blocks| blocks.length_error_m.max),
-];

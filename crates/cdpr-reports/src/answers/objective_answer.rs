@@ -9,7 +9,7 @@ use cdpr_study::{Identification, JudgedOptimum};
 use serde::Serialize;
 
 use crate::figures::{ErrorPanel, ErrorRows};
-use crate::keys::{Each, OptimumKeys, Word};
+use crate::keys::{AccuracyKeys, Each, Maybe, OptimumKeys, Word};
 use crate::number_format::{cell, significant};
 use crate::report::Addition;
 use crate::table::Table;
@@ -24,10 +24,10 @@ pub struct ObjectiveAnswer {
     #[serde(with = "Word")]
     pub minimize: Minimize,
     /// The calibrated controller on a machine.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(with = "Maybe::<AccuracyKeys>", skip_serializing_if = "Option::is_none")]
     pub driven: Option<Accuracy>,
     /// The controller as given on it.
-    #[serde(skip_serializing_if = "Option::is_none")]
+    #[serde(with = "Maybe::<AccuracyKeys>", skip_serializing_if = "Option::is_none")]
     pub driven_before: Option<Accuracy>,
     /// The model as given and the optimum of every objective, each judged by all.
     #[serde(with = "Each::<OptimumKeys>", skip_serializing_if = "Vec::is_empty")]

@@ -6,7 +6,7 @@ use cdpr_model::model::FreeParameters;
 use serde::Serialize;
 
 use crate::figures::{Figure, PathCurves};
-use crate::keys::{Each, PathParameterKeys, PathPointKeys, Word};
+use crate::keys::{Each, PathParameterKeys, PathPointKeys, Shown, Word};
 use crate::number_format::{cell, condition, significant};
 use crate::report::Addition;
 use crate::table::Table;
@@ -36,6 +36,7 @@ pub struct PathChoice {
     #[serde(with = "Word")]
     pub towards: Towards,
     /// Parameters that it acts on; empty: all that are free.
+    #[serde(with = "Shown")]
     pub shrink: FreeParameters,
     /// Data held out, in words.
     pub held_out: String,

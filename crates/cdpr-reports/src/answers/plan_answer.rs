@@ -8,7 +8,8 @@ use cdpr_model::reading::Keyword;
 use serde::Serialize;
 
 use super::Answer;
-use crate::keys::{Maybe, PlanKeys, PredictedKeys};
+use crate::keys::adapters::keys;
+use crate::keys::{Each, FromOne, Maybe, PlanKeys, PredictedKeys};
 use crate::number_format::{NONE, condition, significant};
 use crate::table::Table;
 
@@ -58,8 +59,8 @@ pub struct PlanAnswer {
     #[serde(flatten, with = "PlanKeys")]
     plan: Plan,
     /// Cable that is shortened at each of the poses for a tension test; null elsewhere.
-    #[serde(skip_serializing_if = "Option::is_none")]
-    tension_tests: Option<Vec<Option<TensionTest>>>,
+    #[serde(with = "Maybe::<Each<Maybe<TensionTestKeys>>>", skip_serializing_if = "Option::is_none")]
+    tension_tests: Option<Vec<Option<Shortening>>>,
     /// Deviations to expect.
     #[serde(with = "Maybe::<PredictedKeys>")]
     predicted: Option<Predicted>,
@@ -74,12 +75,9 @@ pub struct PlanAnswer {
     pattern: MotionPattern,
 }
 
-/// One cable shortened.
-#[derive(Serialize)]
-struct TensionTest {
-    /// From 1.
-    cable: usize,
-    shorten_m: f64,
+keys! {
+    /// One cable shortened.
+    TensionTestKeys of Shortening { cable by FromOne, by = "shorten_m" }
 }
 
 /// Candidate that cannot be measured.
@@ -127,10 +125,11 @@ impl PlanAnswer {
             given,
             poses: plan.chosen.iter().map(|&place| candidates.places[place] + 1).collect(),
             pose_components: plan.chosen.iter().map(pose).collect(),
-            tension_tests: candidates.tests.iter().any(Option::is_some).then(|| {
-                let test = |test: Shortening| TensionTest { cable: test.cable + 1, shorten_m: test.by };
-                plan.chosen.iter().map(|&place| candidates.tests[place].map(test)).collect()
-            }),
+            tension_tests: candidates
+                .tests
+                .iter()
+                .any(Option::is_some)
+                .then(|| plan.chosen.iter().map(|&place| candidates.tests[place]).collect()),
             approach: remembers.then(|| approach(model, candidates, &plan.chosen)),
             weak_whatever_is_measured: most.map(|most| most.weak_directions).unwrap_or_default(),
             predicted,

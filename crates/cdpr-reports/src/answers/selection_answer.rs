@@ -1,6 +1,6 @@
 //! The answer of a comparison of candidates.
 
-use cdpr_calibration::selection::{JudgedCandidate, Judgement, Selection, SelectionCriterion, Warnings};
+use cdpr_calibration::selection::{JudgedCandidate, Judgement, SelectionCriterion, Warnings};
 use cdpr_calibration::{Coverage, Outlier, RecordingFrames, Verdict, coverage};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -34,9 +34,12 @@ pub struct SelectionAnswer<'a> {
     pub recommended: Option<String>,
     /// False where nothing is recommended, or nobody should work with what is; the warnings say why.
     pub trusted: bool,
-    /// How far the recommended candidate may be relied on; `None` without one.
+    /// How far the recommended candidate, or without one the one that details are about, may be relied on.
     #[serde(skip)]
-    pub verdict: Option<Verdict>,
+    pub verdict: Verdict,
+    /// Indices of candidates.
+    #[serde(skip)]
+    pub places: Places,
     /// Reason of the outcome, in words.
     pub reason: String,
     /// Choices of all criteria, and whether they agree.
@@ -68,6 +71,19 @@ pub struct SelectionAnswer<'a> {
     /// Wall times.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub timing: Option<Timing>,
+}
+
+/// Indices of the candidates that an answer is about.
+#[derive(Clone, Copy)]
+pub struct Places {
+    /// The recommended one.
+    pub recommended: Option<usize>,
+    /// The one with the least criterion.
+    pub best: Option<usize>,
+    /// The one that details are about.
+    pub shown: Option<usize>,
+    /// The model that the robot runs before any calibration.
+    pub as_given: Option<usize>,
 }
 
 /// A candidate of a comparison.
@@ -105,12 +121,12 @@ pub struct AsGiven {
 
 impl AsGiven {
     /// `None` if the verdict is about the model as given itself, or that is no candidate or cannot be judged.
-    fn of(selection: &Selection) -> Option<Self> {
-        let chosen = selection.recommended.or(selection.best)?;
-        let given = selection.as_given().filter(|given| *given != chosen)?;
-        let judged = |index: usize| selection.candidates[index].outcome.as_ref().ok();
-        let (Judgement { criterion, standard_error, .. }, after) = (judged(given)?, judged(chosen)?.criterion);
-        let name = selection.candidates[given].name.clone();
+    fn of(candidates: &[CandidateAnswer<'_>], places: Places) -> Option<Self> {
+        let chosen = places.recommended.or(places.best)?;
+        let given = &candidates[places.as_given.filter(|given| *given != chosen)?];
+        let (Judgement { criterion, standard_error, .. }, after) =
+            (given.judged?, candidates[chosen].judged?.criterion);
+        let name = given.name.to_owned();
         let (criterion, standard_error) = (*criterion, *standard_error);
         (criterion.is_finite() && after.is_finite()).then(|| Self {
             name,
@@ -134,32 +150,35 @@ impl<'a> SelectionAnswer<'a> {
     /// The answer without wall times, which is the same in every run.
     pub fn new(told: &Report<'a>) -> Self {
         let selection = told.selection;
-        let name = |index: Option<usize>| index.map(|index| selection.candidates[index].name.clone());
-        let judged = |index: Option<usize>| index.and_then(|index| selection.candidates[index].outcome.as_ref().ok());
-        let shown = judged(selection.shown());
+        let candidates: Vec<CandidateAnswer<'a>> = selection.candidates.iter().map(CandidateAnswer::new).collect();
+        let (recommended, best) = (selection.recommended, selection.best);
+        let places = Places { recommended, best, shown: selection.shown(), as_given: selection.as_given() };
+        let name = |index: Option<usize>| index.map(|index| candidates[index].name.to_owned());
+        let shown = places.shown.and_then(|index| candidates[index].judged);
         let warnings = told.told_warnings();
-        let verdict = selection.recommended.map(|_| told.verdict(&warnings));
+        let verdict = told.verdict(&warnings);
         Self {
-            status: verdict.map_or("none-good-enough", |verdict| told.status(verdict)),
-            trusted: verdict.is_some_and(Verdict::is_trusted),
+            status: recommended.map_or("none-good-enough", |_| told.status(verdict)),
+            trusted: recommended.is_some() && verdict.is_trusted(),
             verdict,
+            places,
             robot: told.robot.name.clone(),
             data: told.data_name.to_owned(),
             samples: told.data_count,
             validation: told.validation_name.to_owned(),
             criterion: told.criterion,
-            candidates: selection.candidates.iter().map(CandidateAnswer::new).collect(),
-            best: name(selection.best),
-            recommended: name(selection.recommended),
+            best: name(best),
+            recommended: name(recommended),
             reason: selection.reason.clone(),
             rating: RatingAnswer::new(&selection.rating),
-            as_given: AsGiven::of(selection),
+            as_given: AsGiven::of(&candidates, places),
             untried: selection.untried.clone(),
             coverage: coverage(told.robot, told.samples, told.folds),
             outliers: shown.map_or(&[], |judgement| &judgement.fit.outliers),
             frames: shown.and_then(|judgement| judgement.fit.frames.as_ref()),
             seed: told.seed,
             warnings,
+            candidates,
             out: None,
             timing: None,
         }

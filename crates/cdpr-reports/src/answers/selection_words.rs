@@ -21,8 +21,8 @@ impl Answer for SelectionAnswer<'_> {
         match &self.recommended {
             Some(name) => {
                 let words = match self.verdict {
-                    Some(Verdict::Sound) => "recommended",
-                    Some(Verdict::WithCaution) => "recommended with caution",
+                    Verdict::Sound => "recommended",
+                    Verdict::WithCaution => "recommended with caution",
                     _ => "the best that there is, not to be trusted",
                 };
                 text.push_str(&format!("{words}: {name}\n  {}\n", self.reason));
@@ -60,11 +60,11 @@ impl Answer for SelectionAnswer<'_> {
     }
 
     fn is_negative(&self) -> bool {
-        self.verdict.is_none_or(Verdict::is_negative)
+        self.recommended.is_none() || self.verdict.is_negative()
     }
 
     fn may_be_accepted(&self) -> bool {
-        self.verdict.is_some_and(Verdict::may_be_accepted)
+        self.recommended.is_some() && self.verdict.may_be_accepted()
     }
 }
 

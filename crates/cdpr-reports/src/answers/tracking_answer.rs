@@ -3,12 +3,14 @@
 use cdpr_study::force_tracking::ForceTracking;
 use serde::Serialize;
 
+use crate::keys::ForceTrackingKeys;
+
 /// Comparison of a force controller with the one before.
 #[derive(Serialize)]
 pub(super) struct TrackingAnswer {
     /// The control model before.
     before: String,
-    #[serde(flatten)]
+    #[serde(flatten, with = "ForceTrackingKeys")]
     tracking: ForceTracking,
 }
 

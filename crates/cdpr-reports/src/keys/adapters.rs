@@ -1,12 +1,16 @@
 //! Lists, optional values and choices of values that have a table of keys.
 
 use std::borrow::Cow;
+use std::fmt;
 use std::marker::PhantomData;
 
 use cdpr_model::reading::Keyword;
 use schemars::generate::SchemaGenerator;
 use schemars::{JsonSchema, Schema};
+use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
+
+use crate::answers::Size;
 
 /// Table of keys by which values are written.
 pub(crate) trait Keys<T: ?Sized> {
@@ -26,11 +30,18 @@ macro_rules! tables {
 }
 pub(crate) use tables;
 
-/// Tables of keys that need no schema: `Keys of Value { field, field = "key", field by OtherKeys, field.name() }`. A field stands under its own name or the key
-/// that follows, written as it is, by another table, or as the text of a method.
+/// Table whose entries may stand among those of another.
+pub(crate) trait Entries<T: ?Sized> {
+    /// Writes the entries of the value.
+    fn entries<M: SerializeMap>(value: &T, map: &mut M) -> Result<(), M::Error>;
+}
+
+/// Tables of keys that need no schema: `Keys of Value { field, field = "key", field by OtherKeys, field among OtherKeys, field.name(), field unless none }`.
+/// A field, or what an index, a path or a method without arguments makes of it, stands under the field's name or the key that follows. It is written as it is, by another
+/// table, or with the entries of another table among its own; `unless none` leaves out an optional value that is `None`.
 macro_rules! keys {
     ($($(#[$doc:meta])* $keys:ident of $value:ty {
-        $($field:ident $(.$text:ident())? $(= $key:literal)? $(by $table:ty)?),+ $(,)?
+        $($field:ident $([$place:literal])? $(.$part:ident $(($($argument:tt)*))?)* $(unless $none:ident)? $(= $key:literal)? $(among $inner:ident)? $(by $table:ty)?),+ $(,)?
     })+) => {$(
         $(#[$doc])*
         pub(crate) struct $keys;
@@ -38,8 +49,17 @@ macro_rules! keys {
         impl $keys {
             pub(crate) fn serialize<S: serde::Serializer>(value: &$value, serializer: S) -> Result<S::Ok, S::Error> {
                 let mut map = serializer.serialize_map(None)?;
-                $($crate::keys::adapters::entry!(map, value.$field, [$($text)?], [$($key)?], [$($table)?]);)+
+                <Self as $crate::keys::adapters::Entries<$value>>::entries(value, &mut map)?;
                 serde::ser::SerializeMap::end(map)
+            }
+        }
+
+        impl $crate::keys::adapters::Entries<$value> for $keys {
+            fn entries<M: serde::ser::SerializeMap>(value: &$value, map: &mut M) -> Result<(), M::Error> {
+                $($crate::keys::adapters::entry!(
+                    map, &value.$field$([$place])?$(.$part$(($($argument)*))?)*, stringify!($field), [$($none)?], [$($key)?], [$($table)?], [$($inner)?]
+                );)+
+                Ok(())
             }
         }
 
@@ -50,21 +70,22 @@ pub(crate) use keys;
 
 /// Entry of a table that [`keys`] makes.
 macro_rules! entry {
-    ($map:ident, $value:ident.$field:ident, $text:tt, [], $table:tt) => {
-        $crate::keys::adapters::entry!($map, $value.$field, $text, [stringify!($field)], $table)
+    ($map:ident, $value:expr, $name:expr, [none], $key:tt, $table:tt, $inner:tt) => {
+        if $value.is_some() {
+            $crate::keys::adapters::entry!($map, $value, $name, [], $key, $table, $inner);
+        }
     };
-    ($map:ident, $value:ident.$field:ident, [], [$key:expr], []) => {
-        serde::ser::SerializeMap::serialize_entry(&mut $map, $key, &$value.$field)?
+    ($map:ident, $value:expr, $name:expr, [], [], [], [$inner:ident]) => {
+        <$inner as $crate::keys::adapters::Entries<_>>::entries($value, $map)?
     };
-    ($map:ident, $value:ident.$field:ident, [$text:ident], [$key:expr], []) => {
-        serde::ser::SerializeMap::serialize_entry(&mut $map, $key, &$value.$field.$text())?
+    ($map:ident, $value:expr, $name:expr, [], [], $table:tt, []) => {
+        $crate::keys::adapters::entry!($map, $value, $name, [], [$name], $table, [])
     };
-    ($map:ident, $value:ident.$field:ident, [], [$key:expr], [$table:ty]) => {
-        serde::ser::SerializeMap::serialize_entry(
-            &mut $map,
-            $key,
-            &$crate::keys::adapters::Written(&$value.$field, std::marker::PhantomData::<$table>),
-        )?
+    ($map:ident, $value:expr, $name:expr, [], [$key:expr], [], []) => {
+        $map.serialize_entry($key, $value)?
+    };
+    ($map:ident, $value:expr, $name:expr, [], [$key:expr], [$table:ty], []) => {
+        $map.serialize_entry($key, &$crate::keys::adapters::Written($value, std::marker::PhantomData::<$table>))?
     };
 }
 pub(crate) use entry;
@@ -117,12 +138,48 @@ impl<T, K: Keys<T>> Keys<Option<T>> for Maybe<K> {
     }
 }
 
+impl<T, K: Entries<T>> Entries<Option<T>> for K {
+    fn entries<M: SerializeMap>(value: &Option<T>, map: &mut M) -> Result<(), M::Error> {
+        value.as_ref().map_or(Ok(()), |value| K::entries(value, map))
+    }
+}
+
+impl<T: Serialize> Entries<Size<T>> for Size {
+    fn entries<M: SerializeMap>(size: &Size<T>, map: &mut M) -> Result<(), M::Error> {
+        map.serialize_entry(&size.key(), &size.value)
+    }
+}
+
 /// Name of a choice.
 pub(crate) struct Word;
 
 impl Word {
     pub(crate) fn serialize<T: Keyword, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
         serializer.serialize_str(value.name())
+    }
+}
+
+/// Text of a value that is shown by it.
+pub(crate) struct Shown;
+
+impl Shown {
+    pub(crate) fn serialize<T: fmt::Display, S: Serializer>(value: &T, serializer: S) -> Result<S::Ok, S::Error> {
+        serializer.collect_str(value)
+    }
+}
+
+/// Places as people count them: from 1.
+pub(crate) struct FromOne;
+
+impl Keys<usize> for FromOne {
+    fn write<S: Serializer>(place: &usize, serializer: S) -> Result<S::Ok, S::Error> {
+        (place + 1).serialize(serializer)
+    }
+}
+
+impl Keys<Vec<usize>> for FromOne {
+    fn write<S: Serializer>(places: &Vec<usize>, serializer: S) -> Result<S::Ok, S::Error> {
+        Each::<Self>::serialize(places, serializer)
     }
 }
 

@@ -5,6 +5,7 @@ use cdpr_calibration::{
     ActiveSample, Analysis, Certificate, Correlation, FrameEstimate, Gauge, Loss, Outlier, RecordingFrames,
     StartOptimum, Starts, StoppedBy,
 };
+use cdpr_model::reading::Keyword;
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -204,7 +205,7 @@ keys! {
     /// Strongly correlated parameters, and the half width of 95 % intervals.
     SeparationKeys of Analysis { correlations by Each<CorrelationKeys>, quantile_95 }
     /// End of a search by a rule.
-    StoppedByKeys of StoppedBy { rule, value, limit }
+    StoppedByKeys of StoppedBy { rule.name(), value, limit }
     /// Optima that the starts of a fit led to.
     StartsKeys of Starts { count, unconverged, ranges, optima by Each<StartOptimumKeys> }
     /// Optimum that some of the starts led to.

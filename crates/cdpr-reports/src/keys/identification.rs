@@ -3,13 +3,12 @@
 use cdpr_calibration::fit::Fit;
 use cdpr_calibration::{Comparison, ErrorBlocks, GaugeFixing, ObjectiveValues, SelfCalibration, SensorFit};
 use cdpr_model::reading::Keyword;
-use cdpr_study::accuracy::Accuracy;
 use cdpr_study::{Identification, JudgedOptimum, OptimumOf};
 use serde::Serialize;
 
-use super::adapters::{keys, tables};
+use super::adapters::keys;
 use super::fit::{FitKeys, PoselessFitKeys};
-use super::{Each, ErrorBlockKeys, Maybe, PoseErrorKeys};
+use super::{AccuracyKeys, Each, ErrorBlockKeys, Maybe, PoseErrorKeys};
 
 /// Fit with the errors that judge it.
 #[derive(Serialize)]
@@ -33,23 +32,6 @@ pub(crate) struct IdentificationKeys {
     objective_values_before: ObjectiveValues,
 }
 
-/// Optimum of an objective, or the model as given, judged by all objectives.
-#[derive(Serialize)]
-#[serde(remote = "JudgedOptimum")]
-pub(crate) struct OptimumKeys {
-    #[serde(flatten, with = "Maybe::<OptimumOfKeys>")]
-    of: Option<OptimumOf>,
-    converged: bool,
-    #[serde(flatten, with = "ObjectiveKeys")]
-    values: ObjectiveValues,
-    #[serde(with = "ErrorBlockKeys")]
-    predicted: ErrorBlocks,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    driven: Option<Accuracy>,
-    #[serde(skip_serializing_if = "Option::is_none")]
-    not_driven: Option<String>,
-}
-
 /// Robot calibrated by its own sensors.
 #[derive(Serialize)]
 #[serde(remote = "SelfCalibration")]
@@ -67,13 +49,14 @@ pub(crate) struct SelfCalibrationKeys {
     gauge: GaugeFixing,
 }
 
-tables!(
-    OptimumKeys: JudgedOptimum,
-);
-
 keys! {
     /// Norms of the residual vectors of samples.
     ObjectiveKeys of ObjectiveValues { length_norm_m by PoseErrorKeys, pose_norm_m by PoseErrorKeys, rotation_length_m }
+    /// Optimum of an objective, or the model as given, judged by all objectives.
+    OptimumKeys of JudgedOptimum {
+        of among OptimumOfKeys, converged, values among ObjectiveKeys, predicted by ErrorBlockKeys,
+        driven unless none by Maybe<AccuracyKeys>, not_driven unless none,
+    }
     /// Objective and cost of an optimum.
     OptimumOfKeys of OptimumOf { objective.name(), minimize.name() }
     /// Residuals of a sensor, in its `unit`.

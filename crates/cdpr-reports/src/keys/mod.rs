@@ -4,7 +4,7 @@
 //! with `#[serde(remote)]` or [`adapters::keys`] it writes the value itself, so that an answer holds what the library gave and nothing is copied. `with = "PoseErrorKeys"` on a
 //! field of an answer says so for a value, [`Each`] for a list, [`Maybe`] for an optional value, [`Word`] for a choice that has a name.
 
-mod adapters;
+pub(crate) mod adapters;
 mod design;
 mod errors;
 mod fit;
@@ -19,9 +19,9 @@ mod tables;
 mod warnings;
 mod workspace;
 
-pub(crate) use adapters::{Each, Keys, Maybe, Word};
+pub(crate) use adapters::{Each, FromOne, Keys, Maybe, Shown, Word};
 pub(crate) use design::{PlanKeys, PredictedKeys};
-pub(crate) use errors::{ErrorBlockKeys, PoseErrorKeys, TensionErrorKeys};
+pub(crate) use errors::{ErrorBlockKeys, LengthErrorKeys, PoseErrorKeys, TensionErrorKeys};
 pub(crate) use fit::{OutlierKeys, RecordingFrameKeys};
 pub(crate) use identification::{ComparisonKeys, IdentificationKeys, OptimumKeys, SelfCalibrationKeys};
 pub(crate) use parameters::{
@@ -31,9 +31,12 @@ pub(crate) use robot::FindingKeys;
 pub(crate) use run::{EnergyKeys, SlackKeys, ViolationKeys};
 pub(crate) use selection::{CoverageKeys, JudgementKeys, PreferenceKeys};
 pub(crate) use statics::{DisplacementKeys, ExtentKeys, InfeasibilityKeys, JudgedMapKeys};
-pub(crate) use study::{BeyondKeys, DifferenceKeys, SummaryKeys};
+pub(crate) use study::{
+    AccuracyKeys, BeyondKeys, BranchesKeys, DifferenceKeys, ForceTrackingKeys, HistoryKeys, SummaryKeys,
+};
 pub(crate) use tables::{
-    AllowanceKeys, BenchmarkKeys, KindInfluenceKeys, MonteCarloKeys, RoundKeys, SweepRowKeys, kind,
+    AllowanceKeys, BenchmarkKeys, ChainStepKeys, InfluenceKeys, KindInfluenceKeys, MonteCarloKeys, RoundKeys,
+    SweepRowKeys,
 };
 pub(crate) use warnings::WarningKeys;
 pub(crate) use workspace::AuditKeys;

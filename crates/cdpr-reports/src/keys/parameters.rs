@@ -7,6 +7,8 @@ use cdpr_calibration::{
     ResampledDeviation,
 };
 
+use cdpr_model::reading::Keyword;
+
 use super::Each;
 use super::adapters::keys;
 
@@ -35,7 +37,7 @@ keys! {
     PathParameterKeys of PathParameter { name, unit, centre, is_penalised, enters }
     /// Smaller model that data show, each pair of the full model and the smaller one.
     ReductionKeys of Reduction {
-        evidence, reason, patterns, parameter_count, left, position_mean_m, standard_error = "standard_error_m",
+        evidence.name(), reason, patterns, parameter_count, left, position_mean_m, standard_error = "standard_error_m",
         difference by DifferenceToBestKeys,
     }
     /// Errors of the smaller model minus those of the full one on the same samples (m).

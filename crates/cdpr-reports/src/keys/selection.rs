@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::adapters::{nullable_numbers, tables};
 use super::fit::CandidateFitKeys;
-use super::{Each, ErrorBlockKeys, Maybe};
+use super::{Each, ErrorBlockKeys, Maybe, Word};
 
 /// Ranges of the poses, and the validation samples that lie beyond those of their fit.
 #[derive(Serialize, JsonSchema)]
@@ -89,7 +89,7 @@ struct InformationKeys {
     effective_parameters: f64,
     /// Noise in units of the stated or assumed accuracies.
     noise: f64,
-    #[schemars(with = "String")]
+    #[serde(with = "Word")]
     noise_source: NoiseSource,
     with_wrenches: bool,
     aic: f64,

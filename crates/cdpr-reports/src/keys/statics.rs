@@ -1,30 +1,13 @@
 //! Tensions, displacements, maps and elements of a robot at a pose.
 
-use cdpr_calibration::ErrorBlocks;
 use cdpr_calibration::compensation::Judged;
-use cdpr_model::compensation::{Beyond, Extent};
+use cdpr_model::compensation::Extent;
 use cdpr_model::reading::Keyword;
 use cdpr_model::tension::quadratic::Certificate;
 use cdpr_study::effects::Displacement;
-use serde::Serialize;
 
+use super::ErrorBlockKeys;
 use super::adapters::keys;
-use super::{BeyondKeys, ErrorBlockKeys};
-
-/// Errors without a map and with maps of the other samples.
-#[derive(Serialize)]
-#[serde(remote = "Judged")]
-pub(crate) struct JudgedMapKeys {
-    samples: usize,
-    #[serde(flatten, with = "BeyondKeys")]
-    beyond: Beyond,
-    #[serde(with = "ErrorBlockKeys")]
-    without: ErrorBlocks,
-    #[serde(with = "ErrorBlockKeys")]
-    with: ErrorBlocks,
-    gain_m2: f64,
-    gain_standard_error_m2: f64,
-}
 
 keys! {
     /// Direction in which the load asks for more than the cables can give.
@@ -33,6 +16,11 @@ keys! {
     DisplacementKeys of Displacement {
         translation = "translation_m", rotation = "rotation_rad", tension = "tension_change_N",
         slack = "slack_cables", method.name(),
+    }
+    /// Errors without a map and with maps of the other samples.
+    JudgedMapKeys of Judged {
+        samples, beyond.outside = "outside", beyond.fading = "fading", without by ErrorBlockKeys, with by ErrorBlockKeys,
+        gain_m2, gain_standard_error_m2,
     }
     /// Range of the samples of a map along one coordinate, in its `unit`.
     ExtentKeys of Extent { axis, unit, ends, margin }

@@ -1,14 +1,18 @@
 //! Errors of control models on machines.
 
 use cdpr_model::compensation::Beyond;
-use cdpr_model::control::{MapEffect, PoseErrorStatistics, TensionErrorStatistics};
+use cdpr_model::control::{History, MapEffect, PoseErrorStatistics, TensionErrorStatistics};
+use cdpr_model::reading::Keyword;
+use cdpr_study::accuracy::Accuracy;
+use cdpr_study::branches::Branches;
 use cdpr_study::difference::{Difference, ErrorChange};
 use cdpr_study::field::Summary;
+use cdpr_study::force_tracking::ForceTracking;
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::adapters::{keys, nullable_numbers, tables};
-use super::{Maybe, PoseErrorKeys, TensionErrorKeys};
+use super::{LengthErrorKeys, Maybe, PoseErrorKeys, TensionErrorKeys};
 
 /// Numbers of poses at which a map does not act fully.
 #[derive(Serialize, JsonSchema)]
@@ -69,6 +73,25 @@ tables!(
 );
 
 keys! {
+    /// Errors of a control model on a machine.
+    AccuracyKeys of Accuracy {
+        samples, position_error_m by PoseErrorKeys, rotation_error_rad by PoseErrorKeys,
+        length_error_m by LengthErrorKeys, tension_error_N by Maybe<TensionErrorKeys>, tension_min_N, tension_max_N,
+        statuses, slack_samples, outside_limits_share, compensation unless none by Maybe<MappedAccuracyKeys>,
+    }
+    /// Effect of the map that corrects the control model.
+    MappedAccuracyKeys of MapEffect<Accuracy> {
+        beyond.outside = "outside", beyond.fading = "fading", without by AccuracyKeys,
+    }
+    /// Distances between the ends of several ways to each pose.
+    BranchesKeys of Branches {
+        stroke_m, samples, ways, position_spread_m by PoseErrorKeys, rotation_spread_rad by PoseErrorKeys,
+        tension_spread_N by PoseErrorKeys,
+    }
+    /// Path on which a machine with hysteresis comes to the poses.
+    HistoryKeys of History { reach, sub_steps }
+    /// Force control of two controllers.
+    ForceTrackingKeys of ForceTracking { verdict.name(), before_mean_norm_N, after_mean_norm_N }
     /// Errors of one controller minus those of another.
     DifferenceKeys of Difference {
         samples, compared, better, worse, position_error_m by ErrorChangeKeys, rotation_error_rad by ErrorChangeKeys,

@@ -3,23 +3,28 @@
 use cdpr_model::reading::Keyword;
 use cdpr_study::benchmark::{Benchmark, BenchmarkErrors, BenchmarkRow, BenchmarkRules};
 use cdpr_study::campaign::Round;
-use cdpr_study::sensitivity::{Kind, KindInfluence};
+use cdpr_study::chain::{ChainStep, Identified};
+use cdpr_study::sensitivity::{Influence, KindInfluence};
 use cdpr_study::sweep::Row;
 use cdpr_study::tolerance::{Allowance, MonteCarlo, Quantiles};
 
 use super::adapters::keys;
-use super::{Each, ErrorBlockKeys, Maybe};
-
-pub(crate) fn kind<S: serde::Serializer>(kind: &Kind, serializer: S) -> Result<S::Ok, S::Error> {
-    serializer.collect_str(kind)
-}
+use super::{AccuracyKeys, Each, ErrorBlockKeys, Maybe};
 
 keys! {
     /// Round of a campaign.
     RoundKeys of Round {
         round, poses, new_poses, candidates, validation by Maybe<ErrorBlockKeys>, predicted by ErrorBlockKeys,
-        driven, reach_share, deviation_m, parameter_count, rank, fit,
+        driven by Maybe<AccuracyKeys>, reach_share, deviation_m, parameter_count, rank, fit.name(),
     }
+    /// Stage of a chain with its errors.
+    ChainStepKeys of ChainStep {
+        name, words, section, samples, position_mean_m, rotation_mean_rad, length_mean_abs_m,
+        tension_mean_norm = "tension_mean_norm_N", tension_range = "tension_range_N", slack_samples,
+        identified by Maybe<IdentifiedKeys>,
+    }
+    /// Size and condition of an identification.
+    IdentifiedKeys of Identified { parameter_count, rank, condition, condition_scaled, iterations }
     /// Robots under all models.
     BenchmarkKeys of Benchmark { rules by BenchmarkRuleKeys, rows by Each<BenchmarkRowKeys>, left_out }
     /// Result of one robot under one control model.
@@ -39,14 +44,21 @@ keys! {
     }
     /// Point of a sweep, without the sizes whose unit depends on the robot.
     SweepRowKeys of Row { point, values, cells, reason }
+    /// Influence of a parameter over the poses, per its `unit`.
+    InfluenceKeys of Influence {
+        cause.side.name() = "side", cause.kind.to_string() = "kind", cause.kind.unit() = "unit",
+        position_mean = "position_mean_m_per_unit", position_max = "position_max_m_per_unit",
+        rotation_mean = "rotation_mean_rad_per_unit", rotation_max = "rotation_max_rad_per_unit",
+        tension_mean = "tension_mean_N_per_unit", tension_max = "tension_max_N_per_unit",
+    }
     /// Influence of a kind of deviation over the poses.
     KindInfluenceKeys of KindInfluence {
-        side, kind.to_string(), count, unit, position_rms = "position_rms_m_per_unit",
+        side.name(), kind.to_string(), count, unit, position_rms = "position_rms_m_per_unit",
         position_max = "position_max_m_per_unit",
     }
     /// Tolerances of one kind, in its `unit`.
     AllowanceKeys of Allowance {
-        side, kind.to_string(), unit, alone = "sigma_alone", alone_worst_case = "worst_case_alone",
+        side.name(), kind.to_string(), unit, alone = "sigma_alone", alone_worst_case = "worst_case_alone",
         joint = "sigma_joint", joint_worst_case = "worst_case_joint",
     }
     /// Statistics of drawn robots.

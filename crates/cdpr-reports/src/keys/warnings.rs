@@ -15,7 +15,7 @@ pub(crate) struct WarningKeys {
     findings: Vec<FoundKeys>,
 }
 
-/// Something that speaks against the answer; `cdpr explain finding::KIND` says what the kind means.
+/// Reason to doubt the answer; `cdpr explain finding::KIND` says what the kind means.
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "Finding")]
 struct FoundKeys {

@@ -6,7 +6,10 @@ use cdpr_study::reachable::{Reachable, Varied, differential_hull};
 use cdpr_study::sensitivity::ParameterDeviation;
 use cdpr_workspace::hull::{self, Hull};
 use cdpr_workspace::{Bounds, Region};
-use serde_json::{Value, json};
+use serde::{Serialize, Serializer};
+use serde_json::json;
+
+use crate::answers::Size;
 
 /// A change of one number, and the hull with it.
 pub struct Differential {
@@ -30,14 +33,15 @@ pub struct Differential {
     pub anew: Option<Hull>,
 }
 
-impl Differential {
-    /// Keys and values; `key` names the sizes with their unit.
-    pub(super) fn json(&self, key: impl Fn(&str) -> String) -> Value {
+impl Serialize for Differential {
+    fn serialize<S: Serializer>(&self, serializer: S) -> Result<S::Ok, S::Error> {
+        let key = |name| Size { name, is_planar: self.moved.dimension() == 2, value: () }.key();
         json!({
             "parameter": self.parameter, "unit": self.unit, "change": self.change, "rates_m_per_unit": self.rates_m_per_unit,
             format!("{}_per_unit", key("rate")): self.size_rate, key("first_order"): self.first_order_size,
             key("recomputed"): self.recomputed_size,
         })
+        .serialize(serializer)
     }
 }
 

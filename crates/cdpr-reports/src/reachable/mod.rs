@@ -5,6 +5,6 @@ mod differential;
 mod picture;
 mod words;
 
-pub use answer::{AtBounds, Found, ReachableAnswer};
+pub use answer::{ReachableAnswer, Searched};
 pub use differential::{Change, Differential, differential};
 pub use picture::Picture;

@@ -5,13 +5,14 @@ use cdpr_calibration::selection::Judgement;
 use minijinja::Value;
 
 use super::table::{Cell, Table};
-use super::{Purpose, Report, criterion};
+use super::{Purpose, ReportPage, criterion};
+use crate::answers::SelectionAnswer;
 use crate::number_format as number;
 
 /// Every candidate with its figures.
-pub(super) fn table(report: &Report<'_>) -> Value {
-    let unit = report.criterion.unit();
-    let judged = if report.is_held_out { "validation" } else { "judged" };
+pub(super) fn table(page: &ReportPage<'_>) -> Value {
+    let unit = page.answer.criterion.unit();
+    let judged = if page.report.is_held_out { "validation" } else { "judged" };
     let (train, validation) = (format!("#fit, {unit}"), format!("#{judged}, {unit}"));
     let error = format!("#± standard error, {unit}");
     let columns = [
@@ -27,22 +28,23 @@ pub(super) fn table(report: &Report<'_>) -> Value {
     ];
     let caption = format!(
         "Candidates from simple to complex; {} on the data of the fit and on {}",
-        report.criterion,
-        report.data_words()
+        page.answer.criterion,
+        page.report.data_words()
     );
     let mut table = Table::new(caption, &columns);
-    for (index, candidate) in report.selection.candidates.iter().enumerate() {
+    for (index, candidate) in page.answer.candidates.iter().enumerate() {
         let number = Cell::number((index + 1).to_string());
-        let name = Cell::code(&candidate.name);
-        match &candidate.outcome {
-            Ok(judgement) => {
-                let class = if report.selection.recommended == Some(index) { "chosen" } else { "" };
+        let name = Cell::code(candidate.name);
+        match candidate.judged {
+            Some(judgement) => {
+                let class = if page.answer.places.recommended == Some(index) { "chosen" } else { "" };
                 let mut cells = vec![number, name];
-                cells.extend(figures(report, judgement));
-                cells.push(Cell::text(remarks(report, index, judgement)));
+                cells.extend(figures(page, judgement));
+                cells.push(Cell::text(remarks(page, index, judgement)));
                 table.push(class, cells);
             }
-            Err(reason) => {
+            None => {
+                let reason = candidate.failure.as_deref().unwrap_or_default();
                 let reason = Cell::text(format!("not identified: {reason}")).spanning(columns.len() - 2);
                 table.push("failed", vec![number, name, reason]);
             }
@@ -51,9 +53,10 @@ pub(super) fn table(report: &Report<'_>) -> Value {
     table.into_value()
 }
 
-fn figures(report: &Report<'_>, judgement: &Judgement) -> [Cell; 6] {
-    let (value, error) = criterion::value_and_error(report.criterion, judgement.criterion, judgement.standard_error);
-    let train = report.criterion.in_unit(report.criterion.of_blocks(&judgement.train));
+fn figures(page: &ReportPage<'_>, judgement: &Judgement) -> [Cell; 6] {
+    let (value, error) =
+        criterion::value_and_error(page.answer.criterion, judgement.criterion, judgement.standard_error);
+    let train = page.answer.criterion.in_unit(page.answer.criterion.of_blocks(&judgement.train));
     let (analysis, count) = (&judgement.fit.analysis, judgement.fit.parameters.len());
     let none = || number::NONE.to_owned();
     [
@@ -67,13 +70,13 @@ fn figures(report: &Report<'_>, judgement: &Judgement) -> [Cell; 6] {
     .map(Cell::number)
 }
 
-fn remarks(report: &Report<'_>, index: usize, judgement: &Judgement) -> String {
-    let selection = report.selection;
+fn remarks(page: &ReportPage<'_>, index: usize, judgement: &Judgement) -> String {
+    let SelectionAnswer { candidates, places, .. } = &page.answer;
     let mut remarks = Vec::new();
-    if selection.recommended == Some(index) && selection.candidates.len() > 1 {
-        remarks.push(if report.purpose == Purpose::Selection { "recommended" } else { "identified" }.to_owned());
+    if places.recommended == Some(index) && candidates.len() > 1 {
+        remarks.push(if page.report.purpose == Purpose::Selection { "recommended" } else { "identified" }.to_owned());
     }
-    if selection.best == Some(index) && selection.candidates.len() > 1 {
+    if places.best == Some(index) && candidates.len() > 1 {
         remarks.push("smallest error".to_owned());
     }
     remarks.extend(Some(judgement.fit.caution_words()).filter(|words| !words.is_empty()));

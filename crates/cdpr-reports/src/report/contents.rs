@@ -1,7 +1,7 @@
 //! Contents of a report, and the candidate that its details are about.
 
 use cdpr_calibration::Verdict;
-use cdpr_calibration::selection::{Judgement, Selection, SelectionCriterion, Warnings};
+use cdpr_calibration::selection::{Selection, SelectionCriterion, Warnings};
 use cdpr_model::measurement::{Fold, Samples};
 use cdpr_model::robot::Robot;
 
@@ -50,36 +50,6 @@ pub struct Report<'a> {
     pub additions: &'a [Addition],
 }
 
-/// A candidate that was judged.
-#[derive(Clone, Copy)]
-pub(super) struct Named<'a> {
-    pub(super) index: usize,
-    pub(super) name: &'a str,
-    pub(super) judgement: &'a Judgement,
-}
-
-/// The candidate that the details are about, and the one to compare it with.
-pub(super) struct Shown<'a> {
-    pub(super) index: usize,
-    pub(super) name: &'a str,
-    pub(super) judgement: &'a Judgement,
-    /// The model that the robot runs without calibration, if that is a candidate.
-    pub(super) as_given: Option<Named<'a>>,
-}
-
-impl<'a> Shown<'a> {
-    /// The recommended candidate, else the best, else the first that could be identified.
-    pub(super) fn of(selection: &'a Selection) -> Option<Self> {
-        let judged = |index: usize| {
-            let candidate = selection.candidates.get(index)?;
-            Some(Named { index, name: &candidate.name, judgement: candidate.outcome.as_ref().ok()? })
-        };
-        let Named { index, name, judgement } = judged(selection.shown()?)?;
-        let as_given = selection.as_given().and_then(judged);
-        Some(Self { index, name, judgement, as_given })
-    }
-}
-
 impl Report<'_> {
     pub(super) fn title(&self) -> String {
         let name = &self.robot.name;
@@ -116,12 +86,5 @@ impl Report<'_> {
     /// Name of the data by which the models are judged.
     pub(super) fn data_words(&self) -> &'static str {
         if self.is_held_out { "validation data" } else { "the data of the fit" }
-    }
-}
-
-impl<'a> Shown<'a> {
-    /// The robot as given where it is another candidate.
-    pub(super) fn before(&self) -> Option<Named<'a>> {
-        self.as_given.filter(|given| given.index != self.index)
     }
 }

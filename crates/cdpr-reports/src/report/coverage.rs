@@ -1,15 +1,15 @@
 //! Coverage of the fit: the box of its poses, and errors beyond it against those inside.
 
-use cdpr_calibration::coverage as covered;
+use cdpr_calibration::Coverage;
 use minijinja::{Value, context};
 
 use super::table::{Cell, Table};
-use super::{Report, Shown};
+use super::{ReportPage, Shown};
 use crate::number_format as number;
 
 /// The ranges as a table, and a sentence about the samples beyond them.
-pub(super) fn coverage(report: &Report<'_>, shown: &Shown<'_>) -> Value {
-    let coverage = covered(report.robot, report.samples, report.folds);
+pub(super) fn coverage(page: &ReportPage<'_>, shown: &Shown<'_>) -> Value {
+    let coverage = &page.answer.coverage;
     let columns = [
         ("component", "def-component"),
         ("unit", ""),
@@ -27,15 +27,15 @@ pub(super) fn coverage(report: &Report<'_>, shown: &Shown<'_>) -> Value {
         cells.extend(numbers.map(|value| Cell::number(number::fixed(factor * value, decimals))));
         table.push("", cells);
     }
-    context! { table => table.into_value(), words => words(report, shown, coverage.outside, &coverage.is_outside) }
+    context! { table => table.into_value(), words => words(page, shown, coverage) }
 }
 
 /// How many of the judged samples lie beyond, in few words.
-pub(super) fn gist(report: &Report<'_>) -> String {
-    if !report.is_held_out {
+pub(super) fn gist(page: &ReportPage<'_>) -> String {
+    if !page.report.is_held_out {
         return "nothing was held out".to_owned();
     }
-    let coverage = covered(report.robot, report.samples, report.folds);
+    let coverage = &page.answer.coverage;
     let (outside, count) = (coverage.outside, coverage.is_outside.len());
     match outside {
         0 => format!("all {count} validation samples lie within the poses of the fit"),
@@ -43,12 +43,12 @@ pub(super) fn gist(report: &Report<'_>) -> String {
     }
 }
 
-fn words(report: &Report<'_>, shown: &Shown<'_>, outside: usize, is_outside: &[bool]) -> String {
-    if !report.is_held_out {
+fn words(page: &ReportPage<'_>, shown: &Shown<'_>, Coverage { outside, is_outside, .. }: &Coverage) -> String {
+    if !page.report.is_held_out {
         return "Nothing was held out: how the model does beyond the poses of the fit is not known.".to_owned();
     }
     let count = is_outside.len();
-    if outside == 0 {
+    if *outside == 0 {
         return format!("All {count} validation samples lie within the ranges of the poses that the fit saw.");
     }
     let mean = |wanted: bool| {

@@ -1,30 +1,32 @@
 //! Lines beside the titles of folded parts: what each comes to.
 
+use cdpr_calibration::selection::Judgement;
 use minijinja::{Value, context};
 
-use super::{Purpose, Report, Shown, coverage, parameters, within};
+use super::{Purpose, ReportPage, Shown, coverage, parameters, within};
 use crate::html_page::plain;
 use crate::number_format as number;
 
 /// A line for every part, named like its section.
-pub(super) fn all(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
-    let data = format!("{} samples of {}, {} cables", report.data_count, report.data_name, report.robot.cable_count());
+pub(super) fn all(page: &ReportPage<'_>, shown: Option<&Shown<'_>>) -> Value {
+    let data =
+        format!("{} samples of {}, {} cables", page.answer.samples, page.answer.data, page.report.robot.cable_count());
     let common = context! {
         data => plain(&data),
-        candidates => candidates(report),
-        reproduce => format!("the command, version {}", report.version),
+        candidates => candidates(page),
+        reproduce => format!("the command, version {}", page.report.version),
     };
     let Some(shown) = shown else { return common };
     let fit = &shown.judgement.fit;
     let steps = if fit.iterations == 1 { "step" } else { "steps" };
     context! {
         scene => scene(shown),
-        errors => errors(report, shown),
+        errors => errors(page, shown),
         parameters => parameters_words(shown),
         identifiability => identifiability(shown),
         residuals => residuals(shown),
         convergence => format!("{} after {} {steps}", parameters::status(fit.status), fit.iterations),
-        coverage => coverage::gist(report),
+        coverage => coverage::gist(page),
         ..common
     }
 }
@@ -38,9 +40,9 @@ fn scene(shown: &Shown<'_>) -> &'static str {
 }
 
 /// The criterion of the model as given and of the one shown.
-fn errors(report: &Report<'_>, shown: &Shown<'_>) -> String {
-    let kind = report.criterion;
-    let value = |judgement: &cdpr_calibration::selection::Judgement| match judgement.validation.samples {
+fn errors(page: &ReportPage<'_>, shown: &Shown<'_>) -> String {
+    let kind = page.answer.criterion;
+    let value = |judgement: &Judgement| match judgement.validation.samples {
         0 => within(kind, kind.of_blocks(&judgement.train), f64::NAN),
         _ => within(kind, judgement.criterion, judgement.standard_error),
     };
@@ -51,19 +53,17 @@ fn errors(report: &Report<'_>, shown: &Shown<'_>) -> String {
     }
 }
 
-fn candidates(report: &Report<'_>) -> String {
-    let all = &report.selection.candidates;
-    let judged = |outcome: &Result<cdpr_calibration::selection::Judgement, _>| {
-        outcome.as_ref().is_ok_and(|judgement| judgement.disqualified.is_none())
-    };
-    let unjudged = all.iter().filter(|candidate| !judged(&candidate.outcome)).count();
-    let words = match (report.purpose, all.len()) {
+fn candidates(page: &ReportPage<'_>) -> String {
+    let all = &page.answer.candidates;
+    let is_judged = |judged: Option<&Judgement>| judged.is_some_and(|judged| judged.disqualified.is_none());
+    let unjudged = all.iter().filter(|candidate| !is_judged(candidate.judged)).count();
+    let words = match (page.report.purpose, all.len()) {
         (Purpose::Identification, _) => "the model as given and the identified one".to_owned(),
         (_, 1) => "one was compared".to_owned(),
         (_, count) => format!("{count} were compared"),
     };
     let rest = if unjudged > 0 { format!(", {unjudged} of them cannot be judged") } else { String::new() };
-    let untried = if report.selection.untried.is_empty() || report.purpose == Purpose::Identification {
+    let untried = if page.answer.untried.is_empty() || page.report.purpose == Purpose::Identification {
         ""
     } else {
         "; what was not tried, and why"

@@ -12,22 +12,24 @@ mod gists;
 pub(crate) mod page_data;
 mod parameters;
 mod rating;
+mod shown;
 mod table;
 #[cfg(test)]
 mod tests;
 mod verdict;
 
 pub use addition::Addition;
-use contents::Shown;
 pub use contents::{Purpose, Report};
 pub use criterion::value_and_error;
 pub(crate) use criterion::within;
+use shown::{ReportPage, Shown};
 pub use verdict::times;
 
 use cdpr_model::geometry::MotionPattern;
 use cdpr_model::measurement::SensorSigmas;
 use minijinja::{Value, context};
 
+use crate::answers::SelectionAnswer;
 use crate::html_page::{Page, PageError, PageKind, plain, prose};
 use crate::number_format as number;
 
@@ -35,51 +37,52 @@ const TEMPLATE: &str = include_str!("report.html");
 
 /// HTML of the page.
 pub fn render(input: &Report<'_>) -> Result<String, PageError> {
-    let shown = Shown::of(input.selection);
+    let page = ReportPage { report: input, answer: SelectionAnswer::new(input) };
+    let (shown, answer) = (Shown::of(&page.answer), &page.answer);
     let values = context! {
-        facts => facts(input),
-        gists => gists::all(input, shown.as_ref()),
-        verdict => verdict::verdict(input, shown.as_ref()),
-        candidates => candidates::table(input),
+        facts => facts(&page),
+        gists => gists::all(&page, shown.as_ref()),
+        verdict => verdict::verdict(&page, shown.as_ref()),
+        candidates => candidates::table(&page),
         additions => addition::all(input.additions),
-        rating => rating::rating(input),
-        untried => input.selection.untried.iter().map(|words| prose(words)).collect::<Value>(),
+        rating => rating::rating(&page),
+        untried => answer.untried.iter().map(|words| prose(words)).collect::<Value>(),
         is_selection => input.purpose == Purpose::Selection,
         data_words => input.data_words(),
-        shown => shown.as_ref().map(|shown| details(input, shown)),
+        shown => shown.as_ref().map(|shown| details(&page, shown)),
         command => plain(input.command),
-        seed => input.seed,
-        criterion => input.criterion.to_string(),
+        seed => answer.seed,
+        criterion => answer.criterion.to_string(),
     };
-    let data = Some(page_data::json(input, shown.as_ref()));
+    let data = Some(page_data::json(&page, shown.as_ref()));
     let (title, version) = (&input.title(), input.version);
     Page { kind: PageKind::Report, title, class: "wide", template: TEMPLATE, values, data, version }.render()
 }
 
-fn details(input: &Report<'_>, shown: &Shown<'_>) -> Value {
+fn details(page: &ReportPage<'_>, shown: &Shown<'_>) -> Value {
     let judgement = shown.judgement;
     context! {
         name => plain(shown.name),
-        recommended => input.selection.recommended.is_some(),
+        recommended => page.answer.recommended.is_some(),
         has_validation => judgement.validation.samples > 0,
         has_pose_errors => judgement.validation.position_error_m.mean.is_finite(),
         has_set_aside => !judgement.set_aside.is_empty(),
         has_tensions => judgement.validation.tension_error.is_some(),
-        is_thinned => page_data::is_thinned(input, shown),
-        errors => errors::before_and_after(input, shown),
+        is_thinned => page_data::is_thinned(page, shown),
+        errors => errors::before_and_after(page, shown),
         fold_count => judgement.folds.len(),
-        folds => errors::folds(input, shown),
+        folds => errors::folds(page, shown),
         parameter_count => judgement.fit.parameters.len(),
         parameters => parameters::table(shown),
         identifiability => parameters::identifiability(shown),
-        coverage => coverage::coverage(input, shown),
-        figures => figures::all(input, shown),
+        coverage => coverage::coverage(page, shown),
+        figures => figures::all(page, shown),
     }
 }
 
 /// Facts of the report, as pairs of words.
-fn facts(input: &Report<'_>) -> Value {
-    let robot = input.robot;
+fn facts(ReportPage { report, answer }: &ReportPage<'_>) -> Value {
+    let robot = report.robot;
     let name = match &robot.title {
         Some(title) => format!("{} ({title})", robot.name),
         None => robot.name.clone(),
@@ -88,11 +91,11 @@ fn facts(input: &Report<'_>) -> Value {
         ("Robot", name),
         ("Cables", robot.cable_count().to_string()),
         ("Motion pattern", pattern_words(robot.motion_pattern)),
-        ("Data", input.data_name.to_owned()),
-        ("Samples", input.data_count.to_string()),
-        ("Validation", input.validation_name.to_owned()),
-        ("Sensor accuracy", sigma_words(&input.samples.sigmas)),
-        ("Criterion", format!("{} on {}", input.criterion, input.data_words())),
+        ("Data", answer.data.clone()),
+        ("Samples", answer.samples.to_string()),
+        ("Validation", answer.validation.clone()),
+        ("Sensor accuracy", sigma_words(&report.samples.sigmas)),
+        ("Criterion", format!("{} on {}", answer.criterion, report.data_words())),
     ];
     facts.into_iter().map(|(term, text)| context! { term, text => plain(&text) }).collect()
 }

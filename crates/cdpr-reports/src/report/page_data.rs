@@ -8,7 +8,7 @@ use cdpr_model::geometry::Pose;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::{Purpose, Report, Shown};
+use super::{Purpose, ReportPage, Shown};
 use crate::answers::SelectionAnswer;
 use crate::html_page::{PageKind, RobotPicture, data_block, digits, quaternion, vector};
 
@@ -23,7 +23,7 @@ pub(crate) struct PageData<'a> {
     #[schemars(extend("const" = "report"))]
     page: &'static str,
     /// The answer without wall times.
-    result: SelectionAnswer<'a>,
+    result: &'a SelectionAnswer<'a>,
     /// Index of the candidate that the details are about.
     shown: usize,
     /// Index of the robot as given, where it is another candidate.
@@ -93,23 +93,23 @@ struct ErrorData {
 }
 
 /// The block; `null` without a candidate to show.
-pub(super) fn json(report: &Report<'_>, shown: Option<&Shown<'_>>) -> String {
+pub(super) fn json(page: &ReportPage<'_>, shown: Option<&Shown<'_>>) -> String {
     let data = shown.map(|shown| PageData {
         page: PageKind::Report.name(),
-        result: SelectionAnswer::new(report),
+        result: &page.answer,
         shown: shown.index,
         given: shown.before().map(|given| given.index),
         criterion: CriterionWords {
-            words: report.criterion.to_string(),
-            unit: report.criterion.unit(),
-            factor: report.criterion.in_unit(1.0),
+            words: page.answer.criterion.to_string(),
+            unit: page.answer.criterion.unit(),
+            factor: page.answer.criterion.in_unit(1.0),
         },
-        data_words: report.data_words(),
-        selection: report.purpose == Purpose::Selection,
+        data_words: page.report.data_words(),
+        selection: page.report.purpose == Purpose::Selection,
         robot: RobotPicture::of(shown.judgement.fit.model.robot(), &[]),
-        given_robot: RobotPicture::of(report.robot, &[]),
-        samples: samples(report, shown),
-        fit_position_m: fit_positions(report),
+        given_robot: RobotPicture::of(page.report.robot, &[]),
+        samples: samples(page, shown),
+        fit_position_m: fit_positions(page),
         correlation: correlation(shown),
     });
     data_block(&data)
@@ -123,19 +123,19 @@ struct Row {
 }
 
 /// True when the page holds a part of the samples only.
-pub(super) fn is_thinned(report: &Report<'_>, shown: &Shown<'_>) -> bool {
-    rows(report, shown).len() < shown.judgement.validation_samples.len()
+pub(super) fn is_thinned(page: &ReportPage<'_>, shown: &Shown<'_>) -> bool {
+    rows(page, shown).len() < shown.judgement.validation_samples.len()
 }
 
 /// The judged samples in the order of the data, evenly thinned out to what a page may hold; the largest error always stays.
-fn rows(report: &Report<'_>, shown: &Shown<'_>) -> Vec<Row> {
+fn rows(page: &ReportPage<'_>, shown: &Shown<'_>) -> Vec<Row> {
     let judgement = shown.judgement;
     let mut all: Vec<Row> =
         judgement.validation_samples.iter().enumerate().map(|(row, &sample)| Row { row, sample }).collect();
     all.sort_by_key(|row| row.sample);
     let models = 1 + usize::from(shown.before().is_some());
     let per_cable = 2 + models * (1 + usize::from(judgement.validation.tension_error.is_some()));
-    let numbers = 9 + 4 * models + per_cable * report.robot.cable_count();
+    let numbers = 9 + 4 * models + per_cable * page.report.robot.cable_count();
     let step = (all.len() * numbers).div_ceil(MOST_NUMBERS).max(1);
     let error = |row: &Row| judgement.validation_errors.position[row.row];
     let worst = all.iter().filter(|row| error(row).is_finite()).max_by(|a, b| error(a).total_cmp(&error(b)));
@@ -144,10 +144,10 @@ fn rows(report: &Report<'_>, shown: &Shown<'_>) -> Vec<Row> {
     kept.map(|(_, row)| *row).collect()
 }
 
-fn samples(report: &Report<'_>, shown: &Shown<'_>) -> SampleData {
-    let rows = rows(report, shown);
-    let data = report.samples;
-    let is_outside = cdpr_calibration::coverage(report.robot, data, report.folds).is_outside;
+fn samples(page: &ReportPage<'_>, shown: &Shown<'_>) -> SampleData {
+    let rows = rows(page, shown);
+    let data = page.report.samples;
+    let is_outside = &page.answer.coverage.is_outside;
     let pose = |row: &Row| -> &Pose { &data.poses[row.sample] };
     let change = |row: &Row| {
         let before = data.lengths_of(row.sample.checked_sub(1)?);
@@ -189,13 +189,13 @@ fn errors(rows: &[Row], evaluation: &Evaluation) -> ErrorData {
 }
 
 /// Positions of the data of the reported fit, at most 2000 of them and the corners of their box.
-fn fit_positions(report: &Report<'_>) -> Vec<[f64; 3]> {
-    let all: Vec<usize> = match report.folds {
+fn fit_positions(page: &ReportPage<'_>) -> Vec<[f64; 3]> {
+    let all: Vec<usize> = match page.report.folds {
         [fold] => fold.train.clone(),
-        _ => (0..report.samples.len()).collect(),
+        _ => (0..page.report.samples.len()).collect(),
     };
     let step = all.len().div_ceil(2000).max(1);
-    let position = |sample: usize| report.samples.poses[sample].position;
+    let position = |sample: usize| page.report.samples.poses[sample].position;
     let extreme = |axis: usize, sign: f64| {
         let at = |sample: &usize| sign * position(*sample)[axis];
         all.iter().copied().max_by(|a, b| at(a).total_cmp(&at(b)))

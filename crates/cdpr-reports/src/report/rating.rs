@@ -4,19 +4,19 @@ use cdpr_calibration::selection::SelectionCriterion;
 use minijinja::{Value, context};
 
 use super::table::{Cell, Table};
-use super::{Purpose, Report, criterion};
-use crate::answers::{above_least, has_others, largest};
+use super::{Purpose, ReportPage, criterion};
+use crate::answers::{SelectionAnswer, above_least, has_others, largest};
 use crate::html_page::prose;
 use crate::number_format::{self as number, NONE};
 
 /// Agreement in words and the table; `None` if no candidates are compared.
-pub(super) fn rating(report: &Report<'_>) -> Option<Value> {
-    let rating = &report.selection.rating;
-    if report.purpose != Purpose::Selection || rating.words.is_empty() {
+pub(super) fn rating(page: &ReportPage<'_>) -> Option<Value> {
+    let rating = &page.answer.rating;
+    if page.report.purpose != Purpose::Selection || rating.words.is_empty() {
         return None;
     }
-    let words = prose(&format!("{}.", capital(&rating.words)));
-    Some(context! { words, table => has_others(&rating.criteria).then(|| table(report)) })
+    let words = prose(&format!("{}.", capital(rating.words)));
+    Some(context! { words, table => has_others(rating.criteria).then(|| table(page)) })
 }
 
 fn capital(words: &str) -> String {
@@ -24,12 +24,11 @@ fn capital(words: &str) -> String {
     letters.next().map_or_else(String::new, |first| first.to_uppercase().chain(letters).collect())
 }
 
-fn table(report: &Report<'_>) -> Value {
-    let (selection, kind) = (report.selection, report.criterion);
-    let criteria = &selection.rating.criteria;
-    let judged = |index: usize| selection.candidates[index].outcome.as_ref().ok();
+fn table(page: &ReportPage<'_>) -> Value {
+    let SelectionAnswer { candidates, rating, places, criterion: kind, .. } = &page.answer;
+    let (criteria, kind) = (rating.criteria, *kind);
     let turns = largest(criteria, SelectionCriterion::Rotation, 0).is_some();
-    let regions = (0..selection.candidates.len()).any(|index| judged(index).is_some_and(|own| own.regions.is_some()));
+    let regions = candidates.iter().any(|one| one.judged.is_some_and(|own| own.regions.is_some()));
     let (of_regions, error) =
         (format!("#regions left out, {}", kind.unit()), format!("#± standard error, {}", kind.unit()));
     let mut columns = vec![
@@ -46,8 +45,8 @@ fn table(report: &Report<'_>) -> Value {
         regions.then_some([(of_regions.as_str(), "def-regions"), (&error, "def-standard-error")]).into_iter().flatten(),
     );
     let mut table = Table::new("Candidates by other criteria than the one that decides", &columns);
-    for (index, candidate) in selection.candidates.iter().enumerate() {
-        let Some(own) = judged(index) else { continue };
+    for (index, candidate) in candidates.iter().enumerate() {
+        let Some(own) = candidate.judged else { continue };
         let figure = |value: Option<f64>| value.map_or_else(|| NONE.to_owned(), |value| number::significant(value, 3));
         let mut cells = vec![
             above_least(criteria, "aic", index),
@@ -64,8 +63,8 @@ fn table(report: &Report<'_>) -> Value {
             );
             cells.extend([value, error]);
         }
-        let class = if selection.recommended == Some(index) { "chosen" } else { "" };
-        let first = [Cell::number((index + 1).to_string()), Cell::code(&candidate.name)];
+        let class = if places.recommended == Some(index) { "chosen" } else { "" };
+        let first = [Cell::number((index + 1).to_string()), Cell::code(candidate.name)];
         table.push(class, first.into_iter().chain(cells.into_iter().map(Cell::number)).collect());
     }
     table.into_value()

@@ -5,7 +5,7 @@ use cdpr_calibration::selection::{Judgement, RequirementOutcome};
 use minijinja::{Value, context};
 
 use super::table::Cell;
-use super::{Purpose, Report, Shown};
+use super::{Purpose, ReportPage, Shown};
 use crate::html_page::prose;
 use crate::number_format as number;
 
@@ -13,16 +13,15 @@ use crate::number_format as number;
 const LONG_REASON: usize = 560;
 
 /// The first thing a reader sees: the outcome, whose colour says how far to rely on it, and every warning.
-pub(super) fn verdict(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
-    let reason = report.selection.reason.trim_end_matches('.');
+pub(super) fn verdict(page: &ReportPage<'_>, shown: Option<&Shown<'_>>) -> Value {
+    let reason = page.answer.reason.trim_end_matches('.');
     let is_long = reason.chars().count() > LONG_REASON;
     let reason = prose(reason);
-    let told = report.told_warnings();
-    let warnings = told.list();
-    let folded = warnings.len() - unfolded(&warnings);
+    let warnings = &page.answer.warnings.list();
+    let folded = warnings.len() - unfolded(warnings);
     let (class, heading) = match shown {
         None => ("bad", "No candidate could be identified".to_owned()),
-        Some(shown) => outcome(report, shown, report.verdict(&told)),
+        Some(shown) => outcome(page, shown),
     };
     let warnings: Value = warnings.iter().map(|warning| prose(warning)).collect();
     let Some(shown) = shown else {
@@ -30,25 +29,25 @@ pub(super) fn verdict(report: &Report<'_>, shown: Option<&Shown<'_>>) -> Value {
     };
     let requirements: Value = shown.judgement.requirements.iter().map(requirement).collect();
     let name = Cell::code(shown.name).into_text();
-    let comparison = prose(&comparison(report, shown));
-    context! { class, heading, name, line => line(report, shown), comparison, requirements, warnings, folded, reason, is_long }
+    let comparison = prose(&comparison(page, shown));
+    context! { class, heading, name, line => line(page, shown), comparison, requirements, warnings, folded, reason, is_long }
 }
 
 /// Class and heading: good without any doubt only.
-fn outcome(report: &Report<'_>, shown: &Shown<'_>, verdict: Verdict) -> (&'static str, String) {
+fn outcome(page: &ReportPage<'_>, shown: &Shown<'_>) -> (&'static str, String) {
     let judgement = shown.judgement;
     let is_met = judgement.requirements.iter().all(|requirement| requirement.met);
-    let is_single = report.selection.candidates.len() == 1 || report.purpose == Purpose::Identification;
-    let what = match (report.selection.recommended.is_some(), is_single) {
+    let is_single = page.answer.candidates.len() == 1 || page.report.purpose == Purpose::Identification;
+    let what = match (page.answer.places.recommended.is_some(), is_single) {
         (true, false) => "Recommended control model",
         (_, true) if is_met => "Identified control model",
         (_, true) => return ("bad", "Identified control model, which breaks a requirement".to_owned()),
-        (false, false) if report.selection.best.is_none() => {
+        (false, false) if page.answer.places.best.is_none() => {
             return ("bad", "No candidate can be judged; the first one".to_owned());
         }
         (false, false) => return ("bad", "No candidate recommended; the best on validation data".to_owned()),
     };
-    match verdict {
+    match page.answer.verdict {
         Verdict::Sound => ("good", what.to_owned()),
         Verdict::WithCaution => ("warned", format!("{what}, to be used with caution")),
         Verdict::NotIdentifiable => ("bad", format!("{what}, whose parameters the data do not determine")),
@@ -83,23 +82,23 @@ fn no_values() -> Value {
 
 /// The criterion, its limit where there is one, and whether it is kept, e.g. "Validation mean position error 4.1 mm, limit 5 mm:
 /// pass". A limit on another figure decides where the criterion has none or keeps its own.
-fn line(report: &Report<'_>, shown: &Shown<'_>) -> String {
+fn line(page: &ReportPage<'_>, shown: &Shown<'_>) -> String {
     let judgement = shown.judgement;
-    let words = report.criterion.to_string();
+    let words = page.answer.criterion.to_string();
     let (value, error) = match judgement.validation.samples {
-        0 => (report.criterion.of_blocks(&judgement.train), f64::NAN),
+        0 => (page.answer.criterion.of_blocks(&judgement.train), f64::NAN),
         _ => (judgement.criterion, judgement.standard_error),
     };
     let value = match value.is_finite() {
-        true => report.criterion.format_with_error(value, error),
+        true => page.answer.criterion.format_with_error(value, error),
         false => "has no value: the forward problem has no answer".to_owned(),
     };
-    let data = match (report.is_held_out, judgement.validation.samples) {
+    let data = match (page.report.is_held_out, judgement.validation.samples) {
         (true, 1..) => "Validation",
         _ => "Data of the fit:",
     };
     let limits = &judgement.requirements;
-    let own = limits.iter().find(|limit| limit.metric.starts_with(report.criterion.metric()));
+    let own = limits.iter().find(|limit| limit.metric.starts_with(page.answer.criterion.metric()));
     let limit = own.map_or_else(String::new, |own| format!(", limit {}", figure(own.metric, own.limit, number::short)));
     let broken: Vec<String> =
         limits.iter().filter(|limit| !limit.met).map(|limit| metric_words(limit.metric)).collect();
@@ -112,14 +111,14 @@ fn line(report: &Report<'_>, shown: &Shown<'_>) -> String {
     format!("{data} {words} {value}{limit}{outcome}")
 }
 
-fn comparison(report: &Report<'_>, shown: &Shown<'_>) -> String {
+fn comparison(page: &ReportPage<'_>, shown: &Shown<'_>) -> String {
     let Some(given) = shown.before() else { return String::new() };
     let value = |judgement: &Judgement| match shown.judgement.validation.samples {
-        0 => (report.criterion.of_blocks(&judgement.train), f64::NAN),
+        0 => (page.answer.criterion.of_blocks(&judgement.train), f64::NAN),
         _ => (judgement.criterion, judgement.standard_error),
     };
     let ((before, error), (after, _)) = (value(given.judgement), value(shown.judgement));
-    let words = report.criterion.format_with_error(before, error);
+    let words = page.answer.criterion.format_with_error(before, error);
     format!("today, `{}` as given: {words}{}", given.name, times(before / after))
 }
 

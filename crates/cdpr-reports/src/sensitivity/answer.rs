@@ -1,13 +1,13 @@
 //! Influences, tolerances and allowances as one answer.
 
 use cdpr_study::Experiment;
-use cdpr_study::sensitivity::{Kind, KindInfluence, Offsets, Side, rank, rank_kinds};
+use cdpr_study::sensitivity::{Influence, KindInfluence, Offsets, rank, rank_kinds};
 use cdpr_study::study::{AccuracyOf, Distribution, Tolerances};
 use cdpr_study::tolerance::{Allowance, DeviationSettings, Deviations, MonteCarlo};
 use serde::Serialize;
 
 use crate::answers::title;
-use crate::keys::{AllowanceKeys, Each, KindInfluenceKeys, Maybe, MonteCarloKeys, kind};
+use crate::keys::{AllowanceKeys, Each, InfluenceKeys, KindInfluenceKeys, Maybe, MonteCarloKeys};
 
 /// Numbers of a study's models and winches with what they move; keys and units as in JSON.
 #[derive(Serialize)]
@@ -67,29 +67,12 @@ pub struct DifferencePose {
 
 /// One parameter.
 #[derive(Serialize)]
-#[expect(non_snake_case, reason = "the fields are the keys of the answer, units included")]
 pub struct ParameterAnswer {
     /// Name of the parameter.
     pub name: String,
-    /// Control model, machine or winches.
-    pub side: Side,
-    /// Kind of parameter.
-    #[serde(serialize_with = "kind")]
-    pub kind: Kind,
-    /// Unit of the parameter.
-    pub unit: &'static str,
-    /// Mean over the poses.
-    pub position_mean_m_per_unit: f64,
-    /// Largest over the poses.
-    pub position_max_m_per_unit: f64,
-    /// Mean over the poses.
-    pub rotation_mean_rad_per_unit: f64,
-    /// Largest over the poses.
-    pub rotation_max_rad_per_unit: f64,
-    /// Mean over poses and cables.
-    pub tension_mean_N_per_unit: Option<f64>,
-    /// Largest over poses and cables.
-    pub tension_max_N_per_unit: Option<f64>,
+    /// Its influence over the poses.
+    #[serde(flatten, with = "InfluenceKeys")]
+    pub influence: Influence,
 }
 
 /// Deviations that the tolerances of the study make.
@@ -178,18 +161,7 @@ fn answer(
         kinds: rank_kinds(&found.causes, &known, pattern.translations()),
         parameters: parameters
             .into_iter()
-            .map(|influence| ParameterAnswer {
-                name: influence.cause.name(machine),
-                side: influence.cause.side,
-                kind: influence.cause.kind,
-                unit: influence.cause.kind.unit(),
-                position_mean_m_per_unit: influence.position_mean,
-                position_max_m_per_unit: influence.position_max,
-                rotation_mean_rad_per_unit: influence.rotation_mean,
-                rotation_max_rad_per_unit: influence.rotation_max,
-                tension_mean_N_per_unit: influence.tension_mean,
-                tension_max_N_per_unit: influence.tension_max,
-            })
+            .map(|influence| ParameterAnswer { name: influence.cause.name(machine), influence })
             .collect(),
         tolerance: tolerance(found, tolerances),
         allowed: allowances(found, tolerances, settings),

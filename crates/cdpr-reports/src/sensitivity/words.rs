@@ -1,6 +1,7 @@
 //! Sensitivities and tolerances for people.
 
 use super::{AllowedAnswer, ParameterAnswer, SensitivityAnswer, ToleranceAnswer, step};
+use cdpr_model::reading::Keyword;
 use cdpr_study::sensitivity::{KindInfluence, Offsets};
 use cdpr_study::study::AccuracyOf;
 use cdpr_study::tolerance::Quantiles;
@@ -98,28 +99,28 @@ impl SensitivityAnswer {
     fn by_parameter(&self, width: Option<usize>) -> String {
         let mut rows: Vec<_> = self.parameters.iter().collect();
         rows.sort_by(|a, b| {
-            let moved = |one: &ParameterAnswer| step(one.kind).0 * one.position_mean_m_per_unit;
+            let moved = |one: &ParameterAnswer| step(one.influence.cause.kind).0 * one.influence.position_mean;
             moved(b).total_cmp(&moved(a))
         });
-        let has_tensions = rows.iter().any(|one| one.tension_mean_N_per_unit.is_some());
+        let has_tensions = rows.iter().any(|one| one.influence.tension_mean.is_some());
         let mut heading = vec!["parameter", "by", "moves mean mm", "max mm"];
         heading.extend(if self.has_rotation { &["turns max °"][..] } else { &[] });
         heading.extend(if has_tensions { &["tension max N"][..] } else { &[] });
         let mut table = Table::with_heading(heading.into_iter().map(str::to_owned).collect()).left_column(1);
-        for one in rows.iter().take(self.told) {
-            let (factor, by) = step(one.kind);
+        for ParameterAnswer { name, influence } in rows.into_iter().take(self.told) {
+            let (factor, by) = step(influence.cause.kind);
             let told = |value: f64| significant(factor * value, 3);
             let mut row = vec![
-                one.name.clone(),
+                name.clone(),
                 by.to_owned(),
-                told(1e3 * one.position_mean_m_per_unit),
-                told(1e3 * one.position_max_m_per_unit),
+                told(1e3 * influence.position_mean),
+                told(1e3 * influence.position_max),
             ];
             if self.has_rotation {
-                row.push(told(one.rotation_max_rad_per_unit.to_degrees()));
+                row.push(told(influence.rotation_max.to_degrees()));
             }
             if has_tensions {
-                row.push(one.tension_max_N_per_unit.map_or(NONE.to_owned(), told));
+                row.push(influence.tension_max.map_or(NONE.to_owned(), told));
             }
             table.row(row);
         }

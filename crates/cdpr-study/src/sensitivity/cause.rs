@@ -2,14 +2,12 @@
 
 use std::fmt;
 
-use serde::{Deserialize, Serialize};
-
 use cdpr_model::model::{Model, StretchEffect};
+use cdpr_model::reading::{Keyword, keywords};
 use cdpr_model::robot::{Parameter, ParameterKind, Robot};
 
 /// Owner of a parameter: control model, machine or winches.
-#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash, Serialize, Deserialize)]
-#[serde(rename_all = "kebab-case")]
+#[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
 pub enum Side {
     /// The control model, with the numbers in the controller's file.
     Control,
@@ -18,6 +16,8 @@ pub enum Side {
     /// The winch settings at the initial pose.
     Winches,
 }
+
+keywords!(Side: Control = "control", Machine = "machine", Winches = "winches");
 
 /// Kind of a deviation.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
@@ -83,17 +83,6 @@ impl Kind {
 impl fmt::Display for Kind {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         f.write_str(self.name())
-    }
-}
-
-impl Side {
-    /// The name in studies and results.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::Control => "control",
-            Self::Machine => "machine",
-            Self::Winches => "winches",
-        }
     }
 }
 

@@ -5,6 +5,7 @@ use std::fmt;
 use super::cause::Side;
 use cdpr_model::control::OperationError;
 use cdpr_model::control::Status;
+use cdpr_model::reading::Keyword;
 
 /// Reason for which no derivative continues along a path of cables with memory.
 #[derive(Clone, Debug, PartialEq)]

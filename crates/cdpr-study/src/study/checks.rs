@@ -3,6 +3,7 @@
 use super::published::STAGES;
 use super::{CampaignTable, PoseGrid, PublishedStage, RandomPoses, Study, Task, TensionTests, Tolerances};
 use cdpr_model::model::Composition;
+use cdpr_model::reading::Keyword;
 use cdpr_model::reading::{ReadError, Step, TomlDocument};
 
 /// Most poses of a study.

@@ -7,6 +7,7 @@ use crate::study::{AccuracyOf, Tolerances};
 use cdpr_model::control::CommandedPose;
 use cdpr_model::control::InputError;
 use cdpr_model::control::Status;
+use cdpr_model::reading::Keyword;
 
 /// Settings of a study of deviations, in addition to the tolerances of the study.
 #[derive(Clone, Copy, Debug, PartialEq)]

@@ -1,11 +1,9 @@
 //! Frames as a fit tells them.
 
-use serde::Serialize;
-
 use super::poses::Frames;
 
 /// A frame with its standard deviations.
-#[derive(Clone, Copy, Debug, PartialEq, Serialize)]
+#[derive(Clone, Copy, Debug, PartialEq)]
 pub struct FrameEstimate {
     /// Origin (m).
     pub position_m: [f64; 3],
@@ -20,7 +18,7 @@ pub struct FrameEstimate {
 }
 
 /// Freedom that the data leave of the frame of a calibrated robot, and what fixes it.
-#[derive(Clone, Debug, PartialEq, Eq, Serialize)]
+#[derive(Clone, Debug, PartialEq, Eq)]
 pub struct Gauge {
     /// `least-change`: of the file's anchors.
     pub kind: &'static str,
@@ -31,15 +29,12 @@ pub struct Gauge {
 }
 
 /// Frames that were identified together with a model.
-#[derive(Clone, Debug, PartialEq, Serialize)]
+#[derive(Clone, Debug, PartialEq)]
 pub struct RecordingFrames {
-    #[serde(skip)]
     pub(super) frames: Frames,
     /// Pose of the tracker's world in the frame of the robot, where it was free.
-    #[serde(rename = "tracker_frame", skip_serializing_if = "Option::is_none")]
     pub tracker: Option<FrameEstimate>,
     /// Pose of the marker on the platform, where it was free.
-    #[serde(rename = "marker_frame", skip_serializing_if = "Option::is_none")]
     pub marker: Option<FrameEstimate>,
     /// Freedom that the data leave of them.
     pub gauge: Gauge,
