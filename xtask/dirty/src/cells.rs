@@ -1,0 +1,70 @@
+//! Which cells there are: all of the table, and the fixed ones of `cargo xtask test`.
+
+use crate::kinds::{KINDS, Kind};
+use crate::trial::Cell;
+
+/// Cells of the test.
+pub(crate) const FIXED: usize = 40;
+/// Clean ones among them.
+const FIXED_CLEAN: usize = 8;
+/// Seeds of the test, far from those of a soak: the first round of kinds states its accuracies, the second does not.
+const FIXED_SEEDS: [u64; 2] = [1000, 1001];
+
+/// Every kind with every robot that can have it, with these seeds.
+pub(crate) fn all(first: u64, count: u64) -> Vec<Cell> {
+    let of_kind = |kind: &'static Kind| {
+        let of_robot = move |&robot| (first..first.saturating_add(count)).map(move |seed| Cell { kind, robot, seed });
+        kind.robots.iter().flat_map(of_robot)
+    };
+    KINDS.iter().flat_map(of_kind).collect()
+}
+
+/// Cells of kinds that are not kept: each kind once, then each again with its next robot and another seed, until there are enough.
+pub(crate) fn fixed() -> Vec<Cell> {
+    let (clean, dirty): (Vec<&Kind>, Vec<&Kind>) =
+        KINDS.iter().filter(|kind| !kind.kept).partition(|kind| kind.is_clean());
+    let mut cells = round(&clean, FIXED_CLEAN);
+    cells.extend(round(&dirty, FIXED - FIXED_CLEAN));
+    cells
+}
+
+fn round(kinds: &[&'static Kind], count: usize) -> Vec<Cell> {
+    let turns = FIXED_SEEDS.iter().enumerate().flat_map(|(turn, &seed)| {
+        kinds.iter().enumerate().map(move |(index, &kind)| {
+            let robot = kind.robots[(index + turn) % kind.robots.len()];
+            Cell { kind, robot, seed }
+        })
+    });
+    turns.take(count).collect()
+}
+
+#[cfg(test)]
+mod tests {
+    use std::collections::BTreeSet;
+
+    use super::*;
+
+    #[test]
+    fn forty_cells_are_fixed_and_none_of_a_kept_kind() {
+        let cells = fixed();
+        let names: BTreeSet<String> = cells.iter().map(Cell::name).collect();
+        assert_eq!(names.len(), FIXED);
+        assert!(cells.iter().all(|cell| !cell.kind.kept));
+        let kinds: BTreeSet<&str> = cells.iter().map(|cell| cell.kind.name).collect();
+        assert_eq!(kinds.len(), KINDS.iter().filter(|kind| !kind.kept).count());
+    }
+
+    /// What is written depends on the cell alone, and dirt is dirt: other files than those of the clean scene.
+    #[test]
+    fn scenes_are_the_same_every_time() {
+        for cell in all(2, 1) {
+            let text = |cell: &Cell| {
+                let (scene, _) = cell.scene();
+                let validation = scene.validation.as_ref().map(|record| record.csv());
+                (scene.file.text(), scene.data.csv(), validation, scene.sidecar())
+            };
+            assert_eq!(text(&cell), text(&cell), "{}", cell.name());
+            assert!(!text(&cell).1.contains("NaN"), "{}", cell.name());
+        }
+    }
+}
