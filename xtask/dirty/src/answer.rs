@@ -25,6 +25,8 @@ pub(crate) struct Answer {
     pub(crate) reason: String,
     /// The worst first.
     pub(crate) findings: Vec<Found>,
+    /// All warnings in words, those without a kind, too.
+    pub(crate) warnings: Vec<String>,
     /// Whether the cables of the model that was chosen stretch.
     pub(crate) elastic: bool,
     pub(crate) told: Option<Errors>,
@@ -36,6 +38,7 @@ impl Answer {
         let answer: Value = serde_json::from_str(text).map_err(|error| format!("no JSON ({error}): {text:.200}"))?;
         let word = |key: &str| answer[key].as_str().unwrap_or_default().to_owned();
         let findings = answer["findings"].as_array().map(|list| list.iter().map(found).collect());
+        let warnings = answer["warnings"].as_array().into_iter().flatten().filter_map(Value::as_str);
         let chosen = answer["recommended"].as_str().or_else(|| answer["best"].as_str());
         let candidates = answer["candidates"].as_array().into_iter().flatten();
         let candidate = candidates.clone().find(|candidate| candidate["name"].as_str() == chosen);
@@ -45,6 +48,7 @@ impl Answer {
             code: word("code"),
             reason: format!("{} {}", word("reason"), word("help")),
             findings: findings.unwrap_or_default(),
+            warnings: warnings.map(str::to_owned).collect(),
             elastic: candidate.is_some_and(|it| it["model"].as_str().is_some_and(|model| model.contains("elastic"))),
             told: candidate.and_then(told),
         })

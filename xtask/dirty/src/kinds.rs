@@ -25,8 +25,8 @@ pub(crate) enum Naming {
     Trusted(&'static [&'static str]),
     /// The same, or a refusal with this code whose words hold one of these.
     Refusal(&'static [&'static str], &'static str, &'static [&'static str]),
-    /// A finding of any kind, or a refusal, whose words hold this.
-    Word(&'static str),
+    /// A warning or a refusal that names this column: a mistake for which no kind of finding stands.
+    Column(&'static str),
 }
 
 /// When a file states the accuracies of its sensors.
@@ -84,7 +84,7 @@ const fn kept(kind: Kind) -> Kind {
     Kind { kept: true, ..kind }
 }
 
-use Naming::{Kinds, Refusal, Trusted, Word};
+use Naming::{Column, Kinds, Refusal, Trusted};
 
 const MAGNITUDE: &str = "csv::magnitude";
 
@@ -106,7 +106,7 @@ pub(crate) const KINDS: &[Kind] = &[
         ALL,
         units::cables_from_0,
     ),
-    kind("set-words", Word("set"), ALL, units::set_words),
+    kind("set-words", Column("set"), ALL, units::set_words),
     // poses
     kind("mirrored-height", Kinds(&["mirror"]), ALL, frames::mirrored_height),
     kept(kind("scalar-first", Kinds(&["rotation-convention"]), TURNING, frames::scalar_first)),
@@ -172,7 +172,7 @@ mod tests {
         for kind in KINDS {
             let words = match kind.naming {
                 Kinds(words) | Trusted(words) | Refusal(words, ..) => words,
-                Naming::Clean | Word(_) => &[],
+                Naming::Clean | Column(_) => &[],
             };
             words.iter().for_each(|word| assert!(source.contains(&format!("= \"{word}\"")), "{}: {word}", kind.name));
         }

@@ -56,9 +56,9 @@ fn named(naming: Naming, place: &Place, answer: &Answer) -> bool {
             let refused = answer.is_refusal() && answer.code.starts_with(code) && says(&answer.reason);
             refused || first.is_some_and(|found| is_right(found, kinds, place))
         }
-        Naming::Word(word) => {
-            let said = answer.findings.iter().any(|found| found.text.contains(&format!("`{word}`")));
-            said || (answer.is_refusal() && answer.reason.contains(&format!("`{word}`")))
+        Naming::Column(name) => {
+            let says = |text: &str| text.contains(&format!("`{name}`")) || text.contains(&format!("column {name}"));
+            answer.warnings.iter().any(|text| says(text)) || (answer.is_refusal() && says(&answer.reason))
         }
     }
 }
