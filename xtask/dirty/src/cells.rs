@@ -30,8 +30,10 @@ pub(crate) fn fixed() -> Vec<Cell> {
 
 fn round(kinds: &[&'static Kind], count: usize) -> Vec<Cell> {
     let turns = FIXED_SEEDS.iter().enumerate().flat_map(|(turn, &seed)| {
-        kinds.iter().enumerate().map(move |(index, &kind)| {
-            let robot = kind.robots[(index + turn) % kind.robots.len()];
+        kinds.iter().map(move |&kind| {
+            // by the name, so that a new row changes no other kind's robot
+            let start = kind.name.bytes().map(usize::from).sum::<usize>();
+            let robot = kind.robots[(start + turn) % kind.robots.len()];
             Cell { kind, robot, seed }
         })
     });

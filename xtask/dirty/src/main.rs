@@ -47,8 +47,11 @@ fn main() -> ExitCode {
 fn check(options: &Options) -> Result<Vec<String>, String> {
     let command = &options.command;
     let cells = if options.fixed { cells::fixed() } else { cells::all(options.first, options.seeds) };
-    let cells: Vec<Cell> =
-        cells.into_iter().filter(|cell| options.only.as_ref().is_none_or(|text| cell.name().contains(text))).collect();
+    let wants = |cell: &Cell| {
+        let is_open = !(options.without_kept && cell.kind.kept);
+        is_open && options.only.as_ref().is_none_or(|text| cell.name().contains(text))
+    };
+    let cells: Vec<Cell> = cells.into_iter().filter(wants).collect();
     if cells.is_empty() {
         return Err("no cell has such a name; they are called KIND/ROBOT/SEED".to_owned());
     }

@@ -13,6 +13,8 @@ pub(crate) struct Options {
     pub(crate) first: u64,
     /// The fixed cells of the test alone.
     pub(crate) fixed: bool,
+    /// Leaves out the kept kinds: for those who choose limits.
+    pub(crate) without_kept: bool,
     /// Cells whose names have this in them.
     pub(crate) only: Option<String>,
     /// Leaves the files of the cells.
@@ -34,11 +36,12 @@ impl Options {
                 "--seed" => options.first = number(next()?)?,
                 "--only" => options.only = Some(next()?.to_owned()),
                 "--fixed" => options.fixed = true,
+                "--without-kept" => options.without_kept = true,
                 "--keep" => options.keep = true,
                 "--unnamed" => options.unnamed = true,
                 other => {
                     return Err(format!(
-                        "dirty takes --dirty SEEDS, --seed FIRST, --fixed, --only TEXT, --unnamed, --keep and --command PATH, not `{other}`"
+                        "dirty takes --dirty SEEDS, --seed FIRST, --fixed, --without-kept, --only TEXT, --unnamed, --keep and --command PATH, not `{other}`"
                     ));
                 }
             }
