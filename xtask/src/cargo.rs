@@ -156,6 +156,8 @@ pub(crate) const PORTABLE_TESTS: &[&str] = &[
     "-p",
     "xtask",
     "-p",
+    "dirty",
+    "-p",
     "golden",
     "-p",
     "dist",

@@ -1,15 +1,20 @@
-//! The tests of what users get: of the command, and of the library as it is compiled into it.
+//! The tests of what users get: of the command, and of the library as it is compiled into it; and forty spoilt records that the command has
+//! to notice.
 
 use std::path::Path;
 use std::process::Stdio;
 
-use crate::cargo;
 use crate::outcome::Outcome;
+use crate::{cargo, dirty};
 
 /// Builds the command as users do, runs its tests for release, and complains if they ran another program: one whose dependencies have
 /// features that only tests ask for.
 pub(crate) fn check(root: &Path) -> Outcome {
-    let users_program = match cargo::the_command(root).and_then(|path| read(&path)) {
+    let command = match cargo::the_command(root) {
+        Ok(command) => command,
+        Err(complaint) => return Outcome::of(vec![complaint]),
+    };
+    let users_program = match read(&command) {
         Ok(program) => program,
         Err(complaint) => return Outcome::of(vec![complaint]),
     };
@@ -23,6 +28,7 @@ pub(crate) fn check(root: &Path) -> Outcome {
         Err(complaint) => Outcome::of(vec![complaint]),
     };
     outcome.add(same);
+    outcome.add(dirty::check_fixed(root, &command));
     outcome
 }
 

@@ -7,6 +7,7 @@ mod browser;
 mod cargo;
 mod circles;
 mod command;
+mod dirty;
 mod dist;
 mod documents;
 mod examples;
@@ -45,6 +46,8 @@ Tasks:
   steps                the steps of `test`
   soak --minutes N     random tests with fresh seeds for N minutes; --seed S begins where an earlier run did
   soak --poseless N    calibrations without measured poses of N seeds, judged by SciPy; --seed S begins there
+  soak --dirty N       measurement files spoilt in thirty ways, of N seeds: the table of what `select` notices; --seed S, --without-kept,
+                       --only TEXT, --unnamed, --keep, --command PATH
   golden               compare the command's answers to all calls of the corpus with the committed ones
   golden --part        the part of it that `test` runs; --only GROUP groups of it; --times, --keep to look closer
   golden --accept      make them the committed ones; --command PATH asks another command than that of the build for release

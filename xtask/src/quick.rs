@@ -63,7 +63,7 @@ fn git(root: &Path, arguments: &[&str]) -> Result<Vec<String>, String> {
 fn crates_of(files: &[String]) -> BTreeSet<String> {
     let package = |file: &String| match file.split('/').collect::<Vec<_>>()[..] {
         ["crates", name, ..] => Some(name.to_owned()),
-        ["xtask", program @ ("dist" | "golden"), ..] => Some((*program).to_owned()),
+        ["xtask", program @ ("dirty" | "dist" | "golden"), ..] => Some((*program).to_owned()),
         ["xtask", "src", ..] => Some("xtask".to_owned()),
         _ => None,
     };

@@ -1,4 +1,5 @@
-//! Random tests with fresh seeds for as long as one likes: `cargo xtask soak --minutes N [--seed S]`, or records without poses of as many seeds: `cargo xtask soak --poseless N [--seed S]`.
+//! Random tests with fresh seeds for as long as one likes: `cargo xtask soak --minutes N [--seed S]`, or records without poses of as many seeds: `cargo xtask soak --poseless N [--seed S]`; or
+//! spoilt records: `cargo xtask soak --dirty N [--seed S]`.
 //!
 //! The whole golden corpus once, then rounds of the library's property tests (their cases follow `CDPR_SEED` and `CDPR_CASES`, read by
 //! `crates/cdpr-testing/src/property.rs` alone), of random robots through the command, of calibrations without measured poses that SciPy judges, and of the fuzz targets where
@@ -13,7 +14,7 @@ use std::process::{Command, Stdio};
 use std::time::{Duration, Instant, SystemTime, UNIX_EPOCH};
 
 use crate::programs::{self, on_path};
-use crate::{cargo, golden, judge};
+use crate::{cargo, dirty, golden, judge};
 use trial::Trial;
 
 /// Tests whose random cases follow `CDPR_SEED`: parts of their names, as `cargo test` filters them.
@@ -64,6 +65,9 @@ struct Wishes {
 
 /// Runs rounds until the time is up; an error where something was found.
 pub(crate) fn run(root: &Path, words: &[&str]) -> Result<(), String> {
+    if words.contains(&"--dirty") {
+        return dirty::run(root, words);
+    }
     let wishes = Wishes::of(words)?;
     if let Some(seeds) = wishes.poseless {
         println!("soak: records without poses of {seeds} seeds from {} on", wishes.seed);
@@ -123,7 +127,7 @@ impl Wishes {
                 }
                 other => {
                     return Err(format!(
-                        "soak takes --minutes N, --poseless N and --seed S, not `{}`",
+                        "soak takes --minutes N, --poseless N, --dirty N and --seed S, not `{}`",
                         other.join(" ")
                     ));
                 }

@@ -67,7 +67,8 @@ const STEPS: &[Step] = &[
     Step {
         name: "command",
         action: Action::Own(command::check),
-        remedy: "run the failing test alone: `cargo test --release -p cdpr-cli NAME`",
+        remedy: "run the failing test alone: `cargo test --release -p cdpr-cli NAME`; a spoilt record: `cargo xtask soak --dirty 1 --seed SEED --only \
+                 KIND/ROBOT --keep`",
     },
     Step {
         name: "golden",
