@@ -4,7 +4,7 @@ use std::fmt;
 
 /// Kinds of findings; the word is the one of JSON and of `cdpr explain finding::KIND`.
 macro_rules! kinds {
-    ($($(#[$words:meta])* $name:ident = $word:literal,)*) => {
+    ($($(#[$words:meta])* $name:ident = $word:literal, $code:literal,)*) => {
         /// Kind of a finding.
         #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord, Hash)]
         pub enum FindingKind {
@@ -21,69 +21,76 @@ macro_rules! kinds {
                     $(Self::$name => $word,)*
                 }
             }
+
+            /// The name that `cdpr explain` knows.
+            pub const fn code(self) -> &'static str {
+                match self {
+                    $(Self::$name => $code,)*
+                }
+            }
         }
     };
 }
 
 kinds! {
     /// Numbers in another unit than their column's or key's.
-    Unit = "unit",
+    Unit = "unit", "finding::unit",
     /// A scale of recorded lengths that no winch has, or that all cables share.
-    Scale = "scale",
+    Scale = "scale", "finding::scale",
     /// Constants of recorded lengths that differ between parts of the data.
-    Offset = "offset",
+    Offset = "offset", "finding::offset",
     /// Anchors far from those of the file.
-    Anchor = "anchor",
+    Anchor = "anchor", "finding::anchor",
     /// A load that is not the file's, or not the same in all data.
-    Load = "load",
+    Load = "load", "finding::load",
     /// A stiffness that is not the file's, or that the data leave open.
-    Stiffness = "stiffness",
+    Stiffness = "stiffness", "finding::stiffness",
     /// Poses at which no tensions balance the load.
-    Gravity = "gravity",
+    Gravity = "gravity", "finding::gravity",
     /// Mirrored axes.
-    Mirror = "mirror",
+    Mirror = "mirror", "finding::mirror",
     /// Permuted cables or axes.
-    Permutation = "permutation",
+    Permutation = "permutation", "finding::permutation",
     /// Orientations written by another convention.
-    RotationConvention = "rotation-convention",
+    RotationConvention = "rotation-convention", "finding::rotation-convention",
     /// Poses of a marker instead of the platform.
-    Marker = "marker",
+    Marker = "marker", "finding::marker",
     /// Poses in another frame than the robot's.
-    Frame = "frame",
+    Frame = "frame", "finding::frame",
     /// Clocks that differ.
-    Clock = "clock",
+    Clock = "clock", "finding::clock",
     /// Residuals that jump at a row.
-    Step = "step",
+    Step = "step", "finding::step",
     /// Residuals that drift with time.
-    Drift = "drift",
+    Drift = "drift", "finding::drift",
     /// A sensor that repeats one value.
-    Stuck = "stuck",
+    Stuck = "stuck", "finding::stuck",
     /// Recorded changes that stay behind the motion after every reversal.
-    DeadBand = "dead-band",
+    DeadBand = "dead-band", "finding::dead-band",
     /// Residuals by the direction of travel.
-    Backlash = "backlash",
+    Backlash = "backlash", "finding::backlash",
     /// A cable that hangs slack.
-    Slack = "slack",
+    Slack = "slack", "finding::slack",
     /// Rows that repeat others.
-    Repeat = "repeat",
+    Repeat = "repeat", "finding::repeat",
     /// Rows that depend on their neighbours.
-    Order = "order",
+    Order = "order", "finding::order",
     /// Samples that cover little of where the robot works.
-    Coverage = "coverage",
+    Coverage = "coverage", "finding::coverage",
     /// Residuals larger than stated accuracies explain.
-    LackOfFit = "lack-of-fit",
+    LackOfFit = "lack-of-fit", "finding::lack-of-fit",
     /// Combinations of parameters that the data hardly hold.
-    WeakDirection = "weak-direction",
+    WeakDirection = "weak-direction", "finding::weak-direction",
     /// Parameters at a bound.
-    Bound = "bound",
+    Bound = "bound", "finding::bound",
     /// A search that ended before its optimum, or with several.
-    Unsettled = "unsettled",
+    Unsettled = "unsettled", "finding::unsettled",
     /// Numbers that the data cannot see.
-    Unseen = "unseen",
+    Unseen = "unseen", "finding::unseen",
     /// Samples far from what any model explains.
-    Outlier = "outlier",
+    Outlier = "outlier", "finding::outlier",
     /// A sensor whose column does not fit the others.
-    Sensor = "sensor",
+    Sensor = "sensor", "finding::sensor",
 }
 
 impl fmt::Display for FindingKind {

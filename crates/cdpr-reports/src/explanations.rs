@@ -1,10 +1,11 @@
 //! A page of explanation for every error code. The pages are part of the book too.
 
 /// One page per code under a heading `## area::mistake`: what happened, causes, cure, example.
-const PAGES: [&str; 5] = [
+const PAGES: [&str; 6] = [
     include_str!("explanations/arrays.md"),
     include_str!("explanations/command_line.md"),
     include_str!("explanations/files.md"),
+    include_str!("explanations/findings.md"),
     include_str!("explanations/robots.md"),
     include_str!("explanations/workspaces.md"),
 ];

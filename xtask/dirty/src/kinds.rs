@@ -142,7 +142,12 @@ pub(crate) const KINDS: &[Kind] = &[
     },
     // rows
     kind("pasted-rows", Kinds(&["repeat"]), ALL, rows::pasted),
-    kind("validation-is-training", Kinds(&["repeat"]), ALL, rows::validation_is_training),
+    kind(
+        "validation-is-training",
+        Kinds(&["repeat", "data::validation-is-training"]),
+        ALL,
+        rows::validation_is_training,
+    ),
     kind("outliers", Kinds(&["outlier"]), ALL, rows::outliers),
     Kind { layout: Layout::Corner, ..kind("corner", Kinds(&["coverage"]), ALL, setups::nothing) },
     // what is said besides

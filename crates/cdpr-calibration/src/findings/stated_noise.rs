@@ -4,9 +4,11 @@ use super::Examined;
 use crate::loss::Loss;
 use cdpr_model::finding::{Finding, FindingKind, Severity};
 
-/// Standard deviations of χ² beyond which residuals are too large for the stated accuracies, and the factor from which on that matters.
+/// Standard deviations of χ² beyond which residuals are too large for the stated accuracies, the factor from which on that matters, and the one from which on errors
+/// far beyond the accuracies say the same.
 const SURE: f64 = 5.0;
 const MATTERS: f64 = 1.1;
+const GROSS: f64 = 5.0;
 
 /// Lack of fit by χ² where accuracies of poses and lengths are stated; `None` where nothing is stated, or residuals agree.
 pub(super) fn finding(examined: &Examined<'_>) -> Option<Finding> {
@@ -21,7 +23,7 @@ pub(super) fn finding(examined: &Examined<'_>) -> Option<Finding> {
     let time = (fit.analysis.inflation / factor.max(1.0)).powi(2).max(1.0);
     let freedom = (rows - fit.parameters.len() as f64) / time;
     let deviations = (factor * factor - 1.0) * (freedom / 2.0).sqrt();
-    (factor > MATTERS && deviations > SURE).then(|| {
+    (factor > MATTERS && factor < GROSS && deviations > SURE).then(|| {
         let text = format!(
             "residuals are {factor:.2} times what the stated accuracies say, {deviations:.0} standard deviations of χ² with {freedom:.0} degrees of freedom: the \
              model lacks something that its parameters take up in part, so that their σ are too small, or the accuracies are wrong"

@@ -26,7 +26,11 @@ impl Fit {
             Loss::Squared => DoubtKind::OutliersCounted,
             _ => DoubtKind::OutliersLeftOut,
         };
-        self.outlier_warning.as_ref().map(|words| Doubt::new(kind, words))
+        let farthest = self.outliers.iter().max_by(|a, b| a.residual_m.total_cmp(&b.residual_m));
+        let mut doubt = Doubt::new(kind, self.outlier_warning.as_ref()?);
+        doubt.finding.line = farthest.and_then(|outlier| outlier.line);
+        doubt.finding = doubt.finding.of_size(farthest.map_or(f64::NAN, |outlier| outlier.residual_m), "m");
+        Some(doubt)
     }
 
     /// Doubts without those about outliers, of which a warning of their own says more.

@@ -6,7 +6,7 @@ use crate::fit::{Estimate, Fit, Prior};
 use crate::outliers::set_aside_warning;
 use crate::plausibility::Distrust;
 use crate::verdict::{Doubt, DoubtKind, Verdict};
-use cdpr_model::finding::Finding;
+use cdpr_model::finding::{Finding, Severity};
 use cdpr_model::measurement::{Samples, three_digits};
 
 /// Warnings in the order in which they are told: doubts about the outcome itself, which stand before it, then remarks about data and fit.
@@ -53,10 +53,21 @@ impl Fit {
         of_comparison: Vec<Doubt>,
         of_data: &Warnings,
     ) -> Warnings {
-        let mut doubts = [&of_data.doubts[..], &distrust.reasons].concat();
-        doubts.extend(self.outlier_doubt().into_iter().chain(of_comparison).chain(self.doubts()));
+        let own: Vec<Doubt> = distrust
+            .reasons
+            .iter()
+            .cloned()
+            .chain(self.outlier_doubt())
+            .chain(of_comparison)
+            .chain(self.doubts())
+            .collect();
+        let is_distrusted = of_data.doubts.iter().chain(&own).any(|doubt| doubt.finding.severity == Severity::Distrust);
+        let mut doubts: Vec<Doubt> = of_data.doubts.iter().map(|doubt| as_cause(doubt, is_distrusted)).collect();
+        doubts.extend(own);
         let worse = today.and_then(|(name, [before, after])| worse_than(name, before, after));
         doubts.extend(worse.map(|words| Doubt::new(DoubtKind::WorseThanGiven, words)));
+        // the worst stands first; of equal ones a mistake of the data before what follows from it
+        doubts.sort_by_key(|doubt| std::cmp::Reverse(doubt.finding.severity));
         let mut remarks: Vec<String> = Vec::new();
         for remark in of_data.remarks.iter().chain(&self.warnings) {
             if !remarks.contains(remark) && doubts.iter().all(|doubt| doubt.words() != remark) {
@@ -64,6 +75,15 @@ impl Fit {
             }
         }
         Warnings { doubts, remarks }
+    }
+}
+
+/// A mix-up that explains most of a misfit is the cause of an answer that nobody should trust, and weighs as much as what follows from it.
+fn as_cause(doubt: &Doubt, is_distrusted: bool) -> Doubt {
+    let explains = doubt.finding.explains.is_some_and(|fraction| fraction > 0.5);
+    match is_distrusted && explains && doubt.finding.severity == Severity::Caution {
+        true => Doubt::from(Finding { severity: Severity::Distrust, ..doubt.finding.clone() }),
+        false => doubt.clone(),
     }
 }
 
