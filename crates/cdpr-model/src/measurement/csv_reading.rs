@@ -133,6 +133,7 @@ struct Numbers {
     swivels: Vec<f64>,
     mass: Option<f64>,
     time: Option<f64>,
+    set: Option<String>,
 }
 
 impl CsvFile<'_> {
@@ -160,9 +161,7 @@ impl CsvFile<'_> {
             swivels.extend(&numbers.swivels);
             masses.extend(numbers.mass);
             time.extend(numbers.time);
-            if let Some(&(index, _)) = format.columns.get(&Quantity::Set) {
-                set.push(String::from_utf8_lossy(&row.record[index]).trim().to_owned());
-            }
+            set.extend(numbers.set.take());
             Ok(())
         })?;
         samples.lines = Some(lines);
@@ -213,6 +212,7 @@ impl CsvFile<'_> {
         if columns.contains_key(&Quantity::Time) {
             numbers.time = Some(self.number(format, row, Quantity::Time)?);
         }
+        numbers.set = self.set(format, row)?;
         Ok(())
     }
 
