@@ -82,7 +82,7 @@ impl CsvFile<'_> {
                 && !self.options.columns.values().any(|used| used == name)
         };
         let Some(index) = names.iter().position(|name| counts_from_0(&name)) else { return Ok(()) };
-        let message = format!("the columns count the cables from 0 (`{}`); cables are counted from 1", names[index]);
+        let message = format!("the columns count the cables from 0 (`{}`)", names[index]);
         let help = format!("cables are counted from 1: rename _0 … _{} to _1 … _{m}", m.saturating_sub(1));
         Err(self.error("csv::cable-count", message).at(self.header_place(index)).with_help(help))
     }
