@@ -102,7 +102,7 @@ fn by_lengths(data: &Data<'_>, all: &[Alternative], as_written: f64) -> UnitVerd
 }
 
 /// The alternative with the least misfit, the first of equal ones.
-fn best_of<'a>(all: &'a [Alternative], misfit: impl Fn(&Alternative) -> f64) -> Option<(f64, &'a Alternative)> {
+fn best_of(all: &[Alternative], misfit: impl Fn(&Alternative) -> f64) -> Option<(f64, &Alternative)> {
     let misfits = all.iter().map(|alternative| (misfit(alternative), alternative));
     misfits.filter(|(left, _)| left.is_finite()).min_by(|one, other| one.0.total_cmp(&other.0))
 }

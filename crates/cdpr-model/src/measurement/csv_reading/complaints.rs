@@ -81,7 +81,7 @@ impl CsvFile<'_> {
                 && !names.contains(&numbered(m).as_str())
                 && !self.options.columns.values().any(|used| used == name)
         };
-        let Some(index) = names.iter().position(|name| counts_from_0(&name)) else { return Ok(()) };
+        let Some(index) = names.iter().position(counts_from_0) else { return Ok(()) };
         let message = format!("the columns count the cables from 0 (`{}`)", names[index]);
         let help = format!("cables are counted from 1: rename _0 … _{} to _1 … _{m}", m.saturating_sub(1));
         Err(self.error("csv::cable-count", message).at(self.header_place(index)).with_help(help))

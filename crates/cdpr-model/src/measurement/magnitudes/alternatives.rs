@@ -60,7 +60,7 @@ pub(super) fn alternatives(robot: &Robot, has_angles: bool, factor: &dyn Fn(Quan
         let quantity = part.quantity();
         let own = factor(quantity);
         // positions and lengths in two units have no common one
-        if part == Part::Both && own != factor(Quantity::Length(0)) {
+        if part == Part::Both && own != factor(Quantity::Position(0)) {
             continue;
         }
         let further = (part == Part::Positions).then_some(KILOMETRES);
@@ -76,7 +76,7 @@ pub(super) fn alternatives(robot: &Robot, has_angles: bool, factor: &dyn Fn(Quan
     }
     if factor(Quantity::Position(0)) == 1.0 || robot.anchor_diagonal() > LARGEST_ROBOT {
         all.push(Alternative {
-            quantity: Quantity::Position(0),
+            quantity: Quantity::Length(0),
             part: Part::Both,
             factor: 1e3,
             is_mirrored: false,
@@ -119,7 +119,8 @@ fn in_unit(robot: &Robot, part: Part, unit: (&str, &str, f64), own: f64, is_mirr
     let mirrored = if is_mirrored { " with z mirrored" } else { "" };
     let words = format!("{what} {name}{mirrored}: {fits} them times {times}{mirrored}");
     let help = match symbol {
-        "" => format!("multiply by {times}; m and mm are read"),
+        "" if metres == 1e-2 && own == 1.0 => "divide them by 100; m and mm are read".to_owned(),
+        "" => format!("multiply them by {times}; m and mm are read"),
         _ => format!("name the columns {columns}, and they are converted"),
     };
     Alternative { quantity: part.quantity(), words, help, part, factor, is_mirrored }
@@ -147,9 +148,9 @@ impl Part {
     fn quantity(self) -> Quantity {
         match self {
             Self::Axis(axis) => Quantity::Position(axis),
-            Self::Lengths => Quantity::Length(0),
+            Self::Lengths | Self::Both => Quantity::Length(0),
             Self::Cable(cable) => Quantity::Length(cable),
-            Self::Positions | Self::Both | Self::Angles => Quantity::Position(0),
+            Self::Positions | Self::Angles => Quantity::Position(0),
         }
     }
 }
