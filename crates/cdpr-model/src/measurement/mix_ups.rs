@@ -65,7 +65,7 @@ pub(super) fn found(robot: &Robot, samples: &Samples) -> Option<Finding> {
     let in_frames = framed.misfit(&few.poses);
     let mut told = data.explanations(limit(as_written));
     if told.is_empty() && as_written > IGNORED_OF_MARKER * diagonal {
-        let marker = marker::Marker::of(&data).filter(|(left, _)| *left <= limit(as_written));
+        let marker = marker::Marker::of(&data, CLEARLY).filter(|(left, _)| *left <= limit(as_written));
         told.extend(marker.map(|(left, marker)| Explanation {
             left,
             kind: FindingKind::Marker,

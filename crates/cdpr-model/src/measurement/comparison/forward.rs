@@ -3,8 +3,7 @@
 use nalgebra::{DMatrix, DVector, Matrix3, Matrix6, Rotation3, UnitQuaternion, Vector3, Vector6};
 
 use super::Data;
-use super::frames::Frames;
-use crate::geometry::{Pose, Twist};
+use crate::geometry::{Pose, Twist, product};
 
 /// Steps of one search, and the length of a step that ends it (m, rad).
 const STEPS: usize = 25;
@@ -13,6 +12,27 @@ const STEP_END: f64 = 1e-6;
 const MOST_LEFT: f64 = 0.05;
 /// Fewest poses for a start.
 const FEWEST: usize = 5;
+
+/// Frames between measured poses and the platform's: platform in world = tracker · measured · marker.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct Frames {
+    /// The tracker's world in the robot's.
+    pub(crate) tracker: Pose,
+    /// The platform in the marker's frame.
+    pub(crate) marker: Pose,
+}
+
+impl Frames {
+    /// Frames that change nothing.
+    pub(super) fn none() -> Self {
+        Self { tracker: Pose::identity(), marker: Pose::identity() }
+    }
+
+    /// The platform's poses from the measured ones.
+    pub(crate) fn platform_poses(&self, poses: &[Pose]) -> Vec<Pose> {
+        poses.iter().map(|pose| product(&product(&self.tracker, pose), &self.marker)).collect()
+    }
+}
 
 /// Platform poses by the sample's index, found from recorded lengths alone; empty for robots with too few cables.
 pub(super) fn platform_poses(data: &Data<'_>) -> Vec<(usize, Pose)> {

@@ -2,24 +2,15 @@
 
 use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
 
-use super::forward::{platform_poses, starts};
+use super::forward::{Frames, platform_poses, starts};
 use super::{Data, Fit};
-use crate::geometry::{MotionPattern, Pose, Twist, product};
+use crate::geometry::{MotionPattern, Pose, Twist};
 
 /// Steps allowed, and the relative decrease of the squares that ends the search.
 const STEPS: usize = 30;
 const DECREASE_END: f64 = 1e-6;
 /// Damping at the start, and the one with which a search gives up.
 const DAMPING: (f64, f64) = (1e-3, 1e6);
-
-/// Frames between measured poses and the platform's: platform in world = tracker · measured · marker.
-#[derive(Clone, Copy, Debug)]
-pub(crate) struct Frames {
-    /// The tracker's world in the robot's.
-    pub(crate) tracker: Pose,
-    /// The platform in the marker's frame.
-    pub(crate) marker: Pose,
-}
 
 /// Frames that are sought.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -28,18 +19,6 @@ pub(crate) enum Sought {
     Marker,
     /// Both.
     Both,
-}
-
-impl Frames {
-    /// Frames that change nothing.
-    fn none() -> Self {
-        Self { tracker: Pose::identity(), marker: Pose::identity() }
-    }
-
-    /// The platform's poses from the measured ones.
-    pub(crate) fn platform_poses(&self, poses: &[Pose]) -> Vec<Pose> {
-        poses.iter().map(|pose| product(&product(&self.tracker, pose), &self.marker)).collect()
-    }
 }
 
 /// Data with the poses to which lengths lead.

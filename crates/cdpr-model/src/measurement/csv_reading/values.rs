@@ -11,10 +11,10 @@ use crate::measurement::Split;
 use crate::measurement::columns::Quantity;
 use crate::reading::{MAGNITUDE_LIMIT, ReadError};
 
-/// What programs write where they have no number, besides an empty field and NaN.
+/// Words for no number, besides an empty field and NaN.
 const NO_VALUE: &[&str] = &["-", "--", "#N/A", "n/a", "NA", "null", "none", "nil", "missing", "?"];
 /// Advice for a row without one of its numbers.
-const LEAVE_OUT: &str = "remove the row, or leave such rows out and have them counted with --skip-invalid";
+const LEAVE_OUT: &str = "remove the row, or have rows with mistakes left out";
 
 impl CsvFile<'_> {
     pub(super) fn pose(&self, format: &Format, row: &Row<'_>) -> Result<Pose, ReadError> {

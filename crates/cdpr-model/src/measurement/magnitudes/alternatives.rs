@@ -27,7 +27,7 @@ const LARGEST_ROBOT: f64 = 200.0;
 pub(super) struct Alternative {
     /// Quantity of a column that is wrong.
     pub(super) quantity: Quantity,
-    /// What is read otherwise, in words.
+    /// The reading in words.
     pub(super) words: String,
     /// Advice for the user.
     pub(super) help: String,

@@ -115,7 +115,7 @@ fn one_column_of_several_is_named_with_its_place() {
     }
 }
 
-/// What a frame can change is no question of units, and units are found whatever the frame.
+/// The frame of a tracker changes no distance, and units are found whatever it is.
 #[test]
 fn the_world_of_a_tracker_is_no_unit_and_hides_none() {
     for robot in robots() {

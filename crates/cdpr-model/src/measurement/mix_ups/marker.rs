@@ -18,11 +18,11 @@ pub(super) struct Marker(Pose);
 
 impl Marker {
     /// The pose of the platform in the marker's frame that fits best, with the misfit (m) that it leaves; `None` where
-    /// it lies beyond the robot, or where free frame anchors explain as much.
-    pub(super) fn of(data: &Data<'_>) -> Option<(f64, Self)> {
+    /// it lies beyond the robot, or where this is not below a share of what free frame anchors leave.
+    pub(super) fn of(data: &Data<'_>, share: f64) -> Option<(f64, Self)> {
         let (left, frames) = marker_of(data);
         let is_near = frames.marker.position.norm() < data.robot.anchor_diagonal();
-        (is_near && left < super::CLEARLY * left_by_anchors(data)).then_some((left, Self(frames.marker)))
+        (is_near && left < share * left_by_anchors(data)).then_some((left, Self(frames.marker)))
     }
 
     /// Offset and rotation in words.
