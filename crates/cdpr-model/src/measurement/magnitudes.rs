@@ -60,13 +60,15 @@ pub(super) fn judge(robot: &Robot, samples: &Samples, factor: &dyn Fn(Quantity) 
     if !(as_written > IGNORED_OF_CHANGES) {
         return UnitVerdict::Plausible;
     }
+    // a reading that leaves more than a tenth of the changes explains nothing, however bad the other is
+    let certain = CERTAIN * as_written.min(1.0);
     let unmoved = |alternative: &Alternative| {
         let read = alternative.read(&data);
         read.misfit(&read.poses) / read.spread()
     };
     let plain = best_of(&all, unmoved);
     if let Some((left, alternative)) = plain
-        && left <= CERTAIN * as_written
+        && left <= certain
     {
         return alternative.verdict(as_written, left, "of the changes of the lengths", CERTAIN);
     }
@@ -75,7 +77,7 @@ pub(super) fn judge(robot: &Robot, samples: &Samples, factor: &dyn Fn(Quantity) 
         Framed::of(&read).misfit(&read.poses) / read.spread()
     };
     match best_of(&all, in_frames) {
-        Some((left, alternative)) if left <= CERTAIN * as_written => {
+        Some((left, alternative)) if left <= certain => {
             let of = "of the changes of the lengths, with the frames of tracker and marker that fit best";
             alternative.verdict(as_written, left, of, CERTAIN)
         }

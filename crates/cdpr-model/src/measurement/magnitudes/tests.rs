@@ -66,6 +66,9 @@ fn units_of_positions_and_lengths_are_named_both_ways() {
     for robot in robots() {
         let samples = recorded(&robot);
         assert_eq!(verdict(&robot, &samples, 1.0), UnitVerdict::Plausible, "{}", robot.name);
+        // lengths of no unit at all
+        let small = scaled(&samples, Vector3::repeat(1.0), |_| 2e-4);
+        assert_eq!(verdict(&robot, &small, 1.0), UnitVerdict::Plausible, "{}", robot.name);
         for (name, metres) in [("millimetres", 1e-3), ("centimetres", 1e-2), ("inches", 0.0254), ("feet", 0.3048)] {
             let factor = 1.0 / metres;
             let all = Vector3::repeat(factor);
