@@ -183,7 +183,7 @@ impl DataArguments {
             None => source.file().samples(robot)?,
         };
         reading.notices.iter().for_each(|notice| output.remark(notice));
-        reading.mix_up.iter().for_each(|finding| output.doubt(finding));
+        reading.findings.iter().for_each(|finding| output.doubt(finding));
         let name = &source.name;
         let mut samples =
             model.with_lengths(&reading.samples).map_err(|error| Failure::refused(name, &error))?.into_owned();

@@ -12,7 +12,7 @@ pub(crate) use scan::Scanned;
 
 use super::fit::Fit;
 use cdpr_model::finding::Finding;
-use cdpr_model::measurement::Samples;
+use cdpr_model::measurement::{Samples, mix_ups};
 use cdpr_model::robot::Robot;
 
 /// A fitted model, and what it is held against.
@@ -41,6 +41,10 @@ pub fn findings(examined: &Examined<'_>) -> Vec<Finding> {
     found.extend(scanned.finding);
     found.extend(numbers::findings(examined));
     found.extend(load::gravity(examined));
+    // asked again with anchors that fit, a mix-up shows that wrong ones hid
+    if found.is_empty() {
+        found.extend(mix_ups::with_robot(examined.richest.model.robot(), examined.samples));
+    }
     // a cause that is named explains that residuals are too large
     if found.is_empty() {
         found.extend(stated_noise::finding(examined));

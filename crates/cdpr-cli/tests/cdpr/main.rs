@@ -30,6 +30,7 @@ mod kinematics;
 mod machine_verdicts;
 mod map_edges;
 mod measurements;
+mod mistaken_inputs;
 mod newcomer;
 mod objectives;
 mod penalties;

@@ -38,6 +38,14 @@ impl Quantity {
         matches!(self, Self::Swivel(_) | Self::Mass)
     }
 
+    /// True for a quantity that each cable has.
+    pub(super) fn is_of_cable(self) -> bool {
+        matches!(
+            self,
+            Self::Length(_) | Self::LengthChange(_) | Self::MotorAngle(_) | Self::Tension(_) | Self::Swivel(_)
+        )
+    }
+
     /// True for a component of the platform's pose.
     pub(super) fn is_of_pose(self) -> bool {
         matches!(self, Self::Position(_) | Self::Quaternion(_) | Self::Euler(_) | Self::Angle)

@@ -18,6 +18,7 @@ use super::Samples;
 use super::columns::Quantity;
 use super::magnitudes::{self, UnitVerdict};
 use super::mix_ups;
+use super::tension_units;
 use crate::finding::Finding;
 use crate::geometry::Pose;
 use crate::reading::{ReadError, table_text};
@@ -35,9 +36,8 @@ pub struct Reading {
     pub samples: Samples,
     /// Remarks for the user, e.g. on ignored columns.
     pub notices: Vec<String>,
-    /// The mistake of recording that explains a disagreement of poses and lengths, in words; a reason to doubt all
-    /// results.
-    pub mix_up: Option<Finding>,
+    /// Mistakes of recording that explain a disagreement of poses, lengths and tensions; reasons to doubt all results.
+    pub findings: Vec<Finding>,
 }
 
 /// A measurement file in memory, with the options of reading.
@@ -107,8 +107,6 @@ struct Table {
     swivels: Vec<f64>,
     /// Masses, sample by sample (kg); empty if the file has none.
     masses: Vec<f64>,
-    /// Angles of the poses as in the file (rad); empty if it has none.
-    angles: Vec<[f64; 3]>,
     too_far: TooFar,
     skipped: Skipped,
 }
@@ -133,6 +131,7 @@ struct Numbers {
     swivels: Vec<f64>,
     mass: Option<f64>,
     time: Option<f64>,
+    set: Option<String>,
 }
 
 impl CsvFile<'_> {
@@ -160,9 +159,7 @@ impl CsvFile<'_> {
             swivels.extend(&numbers.swivels);
             masses.extend(numbers.mass);
             time.extend(numbers.time);
-            if let Some(&(index, _)) = format.columns.get(&Quantity::Set) {
-                set.push(String::from_utf8_lossy(&row.record[index]).trim().to_owned());
-            }
+            set.extend(numbers.set.take());
             Ok(())
         })?;
         samples.lines = Some(lines);
@@ -179,7 +176,8 @@ impl CsvFile<'_> {
                     .push(format!("{}: the motor angles are not needed, since the lengths are given", self.file_name));
             }
         }
-        Ok(Table { samples, notices, format, known, swivels, masses, angles, too_far, skipped })
+        samples.angles = (!angles.is_empty()).then_some(angles);
+        Ok(Table { samples, notices, format, known, swivels, masses, too_far, skipped })
     }
 
     /// Reads all numbers of a row; the error is the first one in the row.
@@ -213,28 +211,33 @@ impl CsvFile<'_> {
         if columns.contains_key(&Quantity::Time) {
             numbers.time = Some(self.number(format, row, Quantity::Time)?);
         }
+        numbers.set = self.set(format, row)?;
         Ok(())
     }
 
     /// Samples of a table with numbers of the robot's size, with all remarks.
     fn judged(&self, table: Table) -> Result<Reading, ReadError> {
-        let Table { mut samples, mut notices, format, angles, too_far, mut skipped, .. } = table;
-        let (rows, mut mix_up) = (samples.len() + skipped.count(), None);
+        let Table { mut samples, mut notices, format, too_far, mut skipped, .. } = table;
+        let (rows, mut findings) = (samples.len() + skipped.count(), Vec::new());
         if samples.motor_angles.is_none() {
-            match magnitudes::judge(self.robot, &samples, &angles) {
+            let factor = |quantity| format.columns.get(&quantity).map_or(1.0, |column| column.1);
+            match magnitudes::judge(self.robot, &samples, &factor) {
                 UnitVerdict::Wrong { quantity, message, help } => {
                     return Err(self.column_error(&format.columns, quantity, message).with_help(help));
                 }
                 UnitVerdict::Doubtful(words) => notices.push(format!("{}: {words}", self.file_name)),
                 UnitVerdict::Plausible => {
-                    mix_up = mix_ups::found(self.robot, &samples, &angles)
-                        .map(|found| Finding { text: format!("{}: {}", self.file_name, found.text), ..found });
+                    findings.extend(mix_ups::found(self.robot, &samples));
+                    findings.extend(tension_units::judged(self.robot, &samples));
+                    findings.iter_mut().for_each(|found: &mut Finding| {
+                        found.text = format!("{}: {}", self.file_name, found.text);
+                    });
                 }
             }
         }
         samples = self.without_too_far(samples, too_far, &mut skipped)?;
         notices.extend(skipped.words(self.file_name, rows));
-        Ok(Reading { samples, notices, mix_up })
+        Ok(Reading { samples, notices, findings })
     }
 
     /// Samples without rows far beyond the robot's size, which are an error unless invalid rows are to be skipped.

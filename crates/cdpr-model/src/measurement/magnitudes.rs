@@ -1,24 +1,35 @@
 //! Check whether poses and lengths are of the robot's size, or fit it only in another unit.
 //!
 //! Lengths of point outlets at the recorded poses are compared with the recorded lengths, in the units of the file and
-//! in others. Winch offsets and coarse anchors cause misfits of centimetres to decimetres; a wrong unit causes a
-//! multiple of the robot's size, and the right one reduces the misfit by orders of magnitude.
+//! in others: at the poses as they are, and with the frames of a tracker and a marker that fit best, which change no
+//! distance between poses. Winch offsets and coarse anchors cause misfits of centimetres to decimetres; a wrong unit
+//! causes a multiple of the robot's size, and the right one reduces the misfit by orders of magnitude.
 
-use std::f64::consts::PI;
+mod alternatives;
+#[cfg(test)]
+mod tests;
+
+use alternatives::{Alternative, alternatives};
 
 use super::columns::Quantity;
-use super::{Samples, position_columns, three_digits};
-use crate::geometry::{MotionPattern, Pose};
+use super::comparison::Data;
+use super::comparison::frames::Framed;
+use super::{Samples, three_digits};
+use crate::geometry::Pose;
 use crate::robot::Robot;
 
 /// Fraction of the lengths below which a misfit is no question of units.
 const IGNORED_SHARE: f64 = 0.02;
+/// The same of the changes of the lengths.
+const IGNORED_OF_CHANGES: f64 = 0.05;
 /// Largest fraction of the misfit that remains with another reading that is certain.
 const CERTAIN: f64 = 0.1;
 /// Largest fraction of the misfit that remains with another reading that deserves a notice.
 const DOUBTFUL: f64 = 0.33;
-/// Largest number of samples compared.
-const LOOKED_AT: usize = 200;
+/// Least number of samples whose changes are compared; of fewer the lengths themselves are.
+const FEWEST: usize = 8;
+/// Largest number of samples to which frames are fitted.
+const FRAMED: usize = 40;
 /// Largest length or coordinate, as a multiple of the largest distance between frame anchors.
 const FARTHEST: f64 = 50.0;
 
@@ -33,115 +44,86 @@ pub(super) enum UnitVerdict {
     Wrong { quantity: Quantity, message: String, help: String },
 }
 
-/// Another reading of the file.
-struct Alternative {
-    quantity: Quantity,
-    /// Factors on positions and lengths.
-    position: f64,
-    length: f64,
-    rotation: Rotation,
-    words: &'static str,
-    /// Advice for the user; `{positions_mm}` stands for the columns of the robot's positions in mm.
-    help: &'static str,
-}
-
-#[derive(Clone, Copy, PartialEq)]
-enum Rotation {
-    AsWritten,
-    Degrees,
-}
-
-const fn lengths(position: f64, length: f64, words: &'static str, help: &'static str) -> Alternative {
-    let quantity = if length == 1.0 { Quantity::Position(0) } else { Quantity::Length(0) };
-    Alternative { quantity, position, length, rotation: Rotation::AsWritten, words, help }
-}
-
-const fn rotations(quantity: Quantity, rotation: Rotation, words: &'static str, help: &'static str) -> Alternative {
-    Alternative { quantity, position: 1.0, length: 1.0, rotation, words, help }
-}
-
-const ALTERNATIVES: &[Alternative] = &[
-    lengths(
-        1.0,
-        1e-3,
-        "the cable lengths look like millimetres: the poses ask for a thousandth of them",
-        "name the columns cable_length_mm_1 …, and they are converted",
-    ),
-    lengths(
-        1.0,
-        1e-2,
-        "the cable lengths look like centimetres: the poses ask for a hundredth of them",
-        "divide them by 100; m and mm are read",
-    ),
-    lengths(
-        1e-3,
-        1.0,
-        "the positions look like millimetres: the cable lengths fit a thousandth of them",
-        "name the columns {positions_mm}, and they are converted",
-    ),
-    lengths(
-        1e-2,
-        1.0,
-        "the positions look like centimetres: the cable lengths fit a hundredth of them",
-        "divide them by 100; m and mm are read",
-    ),
-    lengths(
-        1e-3,
-        1e-3,
-        "positions and cable lengths look like millimetres: a thousandth of them fits the robot",
-        "name the columns x_mm … and cable_length_mm_1 …, and they are converted",
-    ),
-    lengths(
-        1e-2,
-        1e-2,
-        "positions and cable lengths look like centimetres: a hundredth of them fits the robot",
-        "divide them by 100; m and mm are read",
-    ),
-    lengths(
-        1e3,
-        1e3,
-        "the anchors of the robot file look like millimetres: positions and cable lengths fit them 1000 times larger",
-        "divide the anchors of the robot file by 1000: its keys end in _m",
-    ),
-    rotations(
-        Quantity::Euler(0),
-        Rotation::Degrees,
-        "the angles look like degrees: only so they fit the cable lengths",
-        "name the columns rx_deg, ry_deg, rz_deg, and they are converted",
-    ),
-    rotations(
-        Quantity::Angle,
-        Rotation::Degrees,
-        "the angles look like degrees: only so they fit the cable lengths",
-        "name the column angle_deg, and it is converted",
-    ),
-];
-
-/// Compares the samples with the robot; `angles` are those of the file (rad), empty if it has none.
-pub(super) fn judge(robot: &Robot, samples: &Samples, angles: &[[f64; 3]]) -> UnitVerdict {
-    let comparison = Comparison { robot, samples, angles };
-    let as_written = comparison.misfit(&lengths(1.0, 1.0, "", ""));
-    let best = ALTERNATIVES
-        .iter()
-        .filter(|alternative| comparison.is_possible(alternative))
-        .map(|alternative| (comparison.misfit(alternative), alternative))
-        .min_by(|one, other| one.0.total_cmp(&other.0));
-    let Some((misfit, alternative)) = best else { return UnitVerdict::Plausible };
-    let typical = comparison.typical_length(alternative);
-    if as_written <= IGNORED_SHARE * typical || misfit.is_nan() || misfit > DOUBTFUL * as_written {
+/// Compares the samples with the robot; `factor` is that from a column's unit to SI.
+pub(super) fn judge(robot: &Robot, samples: &Samples, factor: &dyn Fn(Quantity) -> f64) -> UnitVerdict {
+    let data = Data::of(robot, samples);
+    let as_written = absolute_misfit(&data, &data.poses);
+    if as_written <= IGNORED_SHARE * typical_length(&data, &data.poses) {
         return UnitVerdict::Plausible;
     }
-    let words = format!(
-        "{} (misfit {} m as written, {} m otherwise)",
-        alternative.words,
-        three_digits(as_written),
-        three_digits(misfit)
-    );
-    if misfit > CERTAIN * as_written {
-        return UnitVerdict::Doubtful(words);
+    let all = alternatives(robot, samples.angles.is_some(), factor);
+    if data.poses.len() < FEWEST {
+        return by_lengths(&data, &all, as_written);
     }
-    let help = alternative.help.replace("{positions_mm}", &position_columns(robot, "mm").join(", "));
-    UnitVerdict::Wrong { quantity: alternative.quantity, message: words, help }
+    let few = data.thinned(FRAMED);
+    let as_written = Framed::of(&few).misfit(&few.poses) / few.spread();
+    if !(as_written > IGNORED_OF_CHANGES) {
+        return UnitVerdict::Plausible;
+    }
+    // a reading that leaves more than a tenth of the changes explains nothing, however bad the other is
+    let certain = CERTAIN * as_written.min(1.0);
+    let unmoved = |alternative: &Alternative| {
+        let read = alternative.read(&data);
+        read.misfit(&read.poses) / read.spread()
+    };
+    let plain = best_of(&all, unmoved);
+    if let Some((left, alternative)) = plain
+        && left <= certain
+    {
+        return alternative.verdict(as_written, left, "of the changes of the lengths", CERTAIN);
+    }
+    let in_frames = |alternative: &Alternative| {
+        let read = alternative.read(&few);
+        Framed::of(&read).misfit(&read.poses) / read.spread()
+    };
+    match best_of(&all, in_frames) {
+        Some((left, alternative)) if left <= certain => {
+            let of = "of the changes of the lengths, with the frames of tracker and marker that fit best";
+            alternative.verdict(as_written, left, of, CERTAIN)
+        }
+        _ => plain
+            .filter(|(left, _)| *left <= IGNORED_OF_CHANGES)
+            .map_or(UnitVerdict::Plausible, |(left, alternative)| {
+                alternative.verdict(as_written, left, "of the changes of the lengths", DOUBTFUL)
+            }),
+    }
+}
+
+/// The verdict of few samples, by lengths with the offsets of the file.
+fn by_lengths(data: &Data<'_>, all: &[Alternative], as_written: f64) -> UnitVerdict {
+    let misfit = |alternative: &Alternative| {
+        let read = alternative.read(data);
+        absolute_misfit(&read, &read.poses)
+    };
+    let Some((left, alternative)) = best_of(all, misfit) else { return UnitVerdict::Plausible };
+    let read = alternative.read(data);
+    if !(left <= DOUBTFUL * as_written) || left > CERTAIN * typical_length(&read, &read.poses) {
+        return UnitVerdict::Plausible;
+    }
+    alternative.verdict(as_written, left, "m", CERTAIN)
+}
+
+/// The alternative with the least misfit, the first of equal ones.
+fn best_of(all: &[Alternative], misfit: impl Fn(&Alternative) -> f64) -> Option<(f64, &Alternative)> {
+    let misfits = all.iter().map(|alternative| (misfit(alternative), alternative));
+    misfits.filter(|(left, _)| left.is_finite()).min_by(|one, other| one.0.total_cmp(&other.0))
+}
+
+impl Alternative {
+    /// The verdict with this as the best reading.
+    fn verdict(&self, as_written: f64, left: f64, of: &str, certain: f64) -> UnitVerdict {
+        let is_certain = left <= CERTAIN * as_written;
+        if !is_certain && left > certain * as_written {
+            return UnitVerdict::Plausible;
+        }
+        let share = |misfit: f64| if of == "m" { three_digits(misfit) } else { format!("{:.3}", misfit) };
+        let message =
+            format!("{} (misfit {} {of} as written, {} otherwise)", self.words, share(as_written), share(left));
+        if !is_certain {
+            return UnitVerdict::Doubtful(message);
+        }
+        UnitVerdict::Wrong { quantity: self.quantity, message, help: self.help.clone() }
+    }
 }
 
 /// The largest length or coordinate possible for this robot (m); infinite if its frame anchors coincide.
@@ -151,72 +133,26 @@ pub(super) fn farthest(robot: &Robot) -> f64 {
     if extent > 0.0 { FARTHEST * extent } else { f64::INFINITY }
 }
 
-struct Comparison<'a> {
-    robot: &'a Robot,
-    samples: &'a Samples,
-    angles: &'a [[f64; 3]],
+/// Median over samples of the mean misfit of the cables, with the offsets and scales of the file (m).
+fn absolute_misfit(data: &Data<'_>, poses: &[Pose]) -> f64 {
+    of_samples(data, poses, |modelled, recorded| (recorded - modelled).abs())
 }
 
-impl Comparison<'_> {
-    fn is_possible(&self, alternative: &Alternative) -> bool {
-        let pattern = self.robot.motion_pattern;
-        let has_angles = !self.angles.is_empty();
-        match alternative.quantity {
-            Quantity::Angle => has_angles && pattern == MotionPattern::Planar,
-            Quantity::Euler(_) => has_angles && pattern == MotionPattern::Spatial,
-            _ => true,
-        }
-    }
-
-    fn looked_at(&self) -> impl Iterator<Item = usize> {
-        let stride = self.samples.len().div_ceil(LOOKED_AT).max(1);
-        (0..self.samples.len()).step_by(stride)
-    }
-
-    /// Median over samples of the mean misfit of the cables (m).
-    fn misfit(&self, alternative: &Alternative) -> f64 {
-        median(self.looked_at().map(|sample| {
-            let recorded = self.samples.lengths_of(sample);
-            let modelled = self.lengths(alternative, sample);
-            let misfits = recorded.iter().zip(modelled).map(|(q, model)| (alternative.length * q - model).abs());
-            misfits.sum::<f64>() / recorded.len().max(1) as f64
-        }))
-    }
-
-    /// Median over samples of the mean modelled length (m).
-    fn typical_length(&self, alternative: &Alternative) -> f64 {
-        let m = self.samples.cable_count.max(1) as f64;
-        median(self.looked_at().map(|sample| self.lengths(alternative, sample).sum::<f64>() / m))
-    }
-
-    fn lengths(&self, alternative: &Alternative, sample: usize) -> impl Iterator<Item = f64> {
-        let pose = self.pose(alternative, sample);
-        self.robot.cables.iter().map(move |cable| {
-            let length = (cable.frame_anchor - pose.position - pose.rotation * cable.platform_anchor).norm();
-            cable.length_scale.unwrap_or(1.0) * length + cable.length_offset.unwrap_or(0.0)
-        })
-    }
-
-    fn pose(&self, alternative: &Alternative, sample: usize) -> Pose {
-        let pose = self.samples.poses[sample];
-        let read = Pose { position: pose.position * alternative.position, ..pose };
-        match alternative.rotation {
-            Rotation::AsWritten => read,
-            Rotation::Degrees => {
-                let (pattern, plane) = (self.robot.motion_pattern, self.robot.plane);
-                let mut components = pattern.pose_to_components(plane, &read);
-                let translations = pattern.translations();
-                for (component, angle) in components[translations..].iter_mut().zip(self.angles[sample]) {
-                    *component = angle * PI / 180.0;
-                }
-                pattern.pose(plane, &components).unwrap_or(read)
-            }
-        }
-    }
+/// Median over samples of the mean modelled length (m).
+fn typical_length(data: &Data<'_>, poses: &[Pose]) -> f64 {
+    of_samples(data, poses, |modelled, _| modelled)
 }
 
-fn median(numbers: impl Iterator<Item = f64>) -> f64 {
-    let mut numbers: Vec<f64> = numbers.collect();
-    numbers.sort_by(f64::total_cmp);
-    numbers.get(numbers.len() / 2).copied().unwrap_or(0.0)
+/// Median over samples of the mean over cables of a number of modelled and recorded length.
+fn of_samples(data: &Data<'_>, poses: &[Pose], number: impl Fn(f64, f64) -> f64) -> f64 {
+    let mut sums = vec![0.0; poses.len()];
+    for (cable, recorded) in data.recorded.iter().enumerate() {
+        let part = &data.robot.cables[cable];
+        for ((sum, length), recorded) in sums.iter_mut().zip(data.lengths(cable, poses)).zip(recorded) {
+            let modelled = part.length_scale.unwrap_or(1.0) * length + part.length_offset.unwrap_or(0.0);
+            *sum += number(modelled, *recorded) / data.recorded.len() as f64;
+        }
+    }
+    sums.sort_by(f64::total_cmp);
+    sums.get(sums.len() / 2).copied().unwrap_or(0.0)
 }

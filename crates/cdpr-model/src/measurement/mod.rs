@@ -3,6 +3,8 @@
 #[cfg(feature = "files")]
 mod columns;
 #[cfg(feature = "files")]
+mod comparison;
+#[cfg(feature = "files")]
 mod csv_reading;
 #[cfg(feature = "files")]
 mod csv_writing;
@@ -15,7 +17,7 @@ mod known;
 #[cfg(feature = "files")]
 mod magnitudes;
 #[cfg(feature = "files")]
-mod mix_ups;
+pub mod mix_ups;
 mod pose_columns;
 #[cfg(feature = "files")]
 mod pose_track;
@@ -25,6 +27,8 @@ mod sidecar;
 mod sidecar_file;
 mod split;
 mod standing;
+#[cfg(feature = "files")]
+mod tension_units;
 
 #[cfg(feature = "files")]
 pub use csv_reading::{MeasurementFile, Reading, ReadingOptions, poses_from_csv};

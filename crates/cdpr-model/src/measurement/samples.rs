@@ -28,6 +28,9 @@ pub struct Samples {
     pub time: Option<Vec<f64>>,
     /// Line of each sample in its file, from 1; `None` for samples without a file.
     pub lines: Option<Vec<usize>>,
+    /// Angles rx, ry, rz, or the angle in the plane (rad), as in the file, which poses keep only up to full turns; `None`
+    /// for poses with quaternions or without rotation.
+    pub angles: Option<Vec<[f64; 3]>>,
     /// Accuracies of the sensors, as far as known.
     pub sigmas: SensorSigmas,
 }
@@ -108,6 +111,7 @@ impl Samples {
             set: None,
             time: joined(&self.time, &other.time),
             lines: self.lines.as_ref().zip(other.lines.as_ref()).map(|(a, b)| [a.as_slice(), b].concat()),
+            angles: self.angles.as_ref().zip(other.angles.as_ref()).map(|(a, b)| [a.as_slice(), b].concat()),
             sigmas: self.sigmas,
         })
     }
@@ -147,6 +151,7 @@ impl Samples {
             set: self.set.as_ref().map(|set| indices.iter().map(|&i| set[i].clone()).collect()),
             time: self.time.as_ref().map(|time| indices.iter().map(|&i| time[i]).collect()),
             lines: self.lines.as_ref().map(|lines| indices.iter().map(|&i| lines[i]).collect()),
+            angles: self.angles.as_ref().map(|angles| indices.iter().map(|&i| angles[i]).collect()),
             sigmas: self.sigmas,
         }
     }

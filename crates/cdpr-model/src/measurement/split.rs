@@ -104,6 +104,9 @@ impl fmt::Display for Split {
 }
 
 impl Split {
+    /// Words of the column `set`: the part that is fitted, and two for the part that is held out.
+    pub const SETS: [&'static str; 3] = ["train", "validation", "test"];
+
     /// Names of the methods; a colon and the number of parts follow all but the first.
     pub const KINDS: [&'static str; 4] = ["column", "blocks", "kfold", "region"];
 
@@ -198,10 +201,10 @@ fn by_column(samples: &Samples) -> Result<Fold, SplitError> {
     let set = samples.set.as_ref().ok_or(SplitError::NoColumn)?;
     let mut fold = Fold { name: "column set".to_owned(), train: Vec::new(), validation: Vec::new() };
     for (sample, name) in set.iter().enumerate() {
-        match name.as_str() {
-            "train" => fold.train.push(sample),
-            "validation" | "test" => fold.validation.push(sample),
-            _ => return Err(SplitError::SetName { sample: sample + 1, name: name.clone() }),
+        match Split::SETS.iter().position(|word| word == name) {
+            Some(0) => fold.train.push(sample),
+            Some(_) => fold.validation.push(sample),
+            None => return Err(SplitError::SetName { sample: sample + 1, name: name.clone() }),
         }
     }
     match (fold.train.is_empty(), fold.validation.is_empty()) {

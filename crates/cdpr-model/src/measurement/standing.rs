@@ -1,5 +1,6 @@
 //! Logs reduced to samples at rest: the rows of one pose become one sample, their mean.
 
+use std::f64::consts::PI;
 use std::fmt;
 
 use nalgebra::{Quaternion, UnitQuaternion, Vector3, Vector4};
@@ -98,6 +99,10 @@ impl Samples {
             motor_angles: self.motor_angles.as_deref().map(|angles| mean(angles, m)),
             tensions: self.tensions.as_deref().map(|tensions| mean(tensions, m)),
             time: self.time.as_deref().map(|time| mean(time, 1)),
+            angles: self
+                .angles
+                .as_deref()
+                .map(|angles| pieces.iter().map(|&(a, b)| mean_angles(&angles[a..b])).collect()),
             ..self.subset(&starts)
         }
     }
@@ -134,6 +139,16 @@ impl Samples {
             swivel: None,
         }
     }
+}
+
+/// Means of angles that may jump by full turns (rad).
+fn mean_angles(rows: &[[f64; 3]]) -> [f64; 3] {
+    let first = rows.first().copied().unwrap_or_default();
+    let turned = |from: f64, to: f64| (to - from + PI).rem_euclid(2.0 * PI) - PI;
+    std::array::from_fn(|k| {
+        let sum: f64 = rows.iter().map(|angles| turned(first[k], angles[k])).sum();
+        first[k] + sum / rows.len().max(1) as f64
+    })
 }
 
 /// A log that is cut into pieces.

@@ -68,6 +68,25 @@ impl CsvFile<'_> {
         ))
     }
 
+    /// Refuses a file whose columns count the cables from 0.
+    pub(super) fn refuse_cables_from_0(&self) -> Result<(), ReadError> {
+        let fields = self.layout.fields();
+        let names: Vec<&str> = fields.iter().map(|field| field.trim().trim_matches('"')).collect();
+        let m = self.robot.cable_count();
+        let counts_from_0 = |name: &&str| {
+            let Some(stem) = name.strip_suffix("_0") else { return false };
+            let numbered = |cable: usize| format!("{stem}_{cable}");
+            let is_cables = meaning(&numbered(1)).is_ok_and(|column| column.is_some_and(|c| c.quantity.is_of_cable()));
+            is_cables
+                && !names.contains(&numbered(m).as_str())
+                && !self.options.columns.values().any(|used| used == name)
+        };
+        let Some(index) = names.iter().position(counts_from_0) else { return Ok(()) };
+        let message = format!("the columns count the cables from 0 (`{}`)", names[index]);
+        let help = format!("cables are counted from 1: rename _0 … _{} to _1 … _{m}", m.saturating_sub(1));
+        Err(self.error("csv::cable-count", message).at(self.header_place(index)).with_help(help))
+    }
+
     /// Refuses a file in which no column is, or probably was meant to be, one of a pose.
     pub(super) fn refuse_without_poses(&self) -> Result<(), ReadError> {
         let fields = self.layout.fields();

@@ -6,7 +6,7 @@ use csv::ByteRecord;
 
 use super::content::{Columns, Content, by_angle};
 use super::layout::Layout;
-use super::rows::{CsvFile, Row};
+use super::rows::{CsvFile, Row, plain};
 use crate::geometry::MotionPattern;
 use crate::measurement::columns::{Column, Quantity, meaning};
 use crate::measurement::position_columns;
@@ -24,7 +24,7 @@ impl CsvFile<'_> {
         let Layout { header_line, header_start, .. } = self.layout;
         let row = Row { record: header, header, line: header_line, start: header_start };
         for (index, name) in header.iter().enumerate() {
-            let name = String::from_utf8_lossy(name).trim().to_owned();
+            let name = plain(name).into_owned();
             let own = match mapped.get(name.as_str()) {
                 Some((_, column)) => Ok(Some(*column)),
                 None => meaning(&name).map(|column| column.filter(|column| !is_mapped(column.quantity))),
@@ -56,7 +56,7 @@ impl CsvFile<'_> {
     /// The columns in the name map; an error if a name has no quantity or the file has no such column.
     fn mapped(&self, header: &ByteRecord) -> Result<Mapped<'_>, ReadError> {
         let code = "csv::columns";
-        let names: Vec<String> = header.iter().map(|name| String::from_utf8_lossy(name).trim().to_owned()).collect();
+        let names: Vec<String> = header.iter().map(|name| plain(name).into_owned()).collect();
         let mut mapped = Mapped::new();
         for (name, column) in &self.options.columns {
             let Ok(Some(meant)) = meaning(name) else {
@@ -141,6 +141,7 @@ impl CsvFile<'_> {
     }
 
     fn check_cables(&self, columns: &Columns) -> Result<(), ReadError> {
+        self.refuse_cables_from_0()?;
         let m = self.robot.cable_count();
         let (build, name): (fn(usize) -> Quantity, _) = match by_angle(columns) {
             true => (Quantity::MotorAngle, "motor_angle_rad"),

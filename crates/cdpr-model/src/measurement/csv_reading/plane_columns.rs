@@ -1,7 +1,7 @@
 //! Positions of planar robots, in columns named after the plane's axes.
 
 use super::content::Columns;
-use super::rows::{CsvFile, Row};
+use super::rows::{CsvFile, Row, plain};
 use crate::measurement::columns::Quantity;
 use crate::measurement::position_columns;
 use crate::reading::ReadError;
@@ -40,7 +40,7 @@ impl CsvFile<'_> {
         }
         let across = (0..3).find(|axis| !own.contains(axis)).and_then(|axis| named[axis]);
         let Some((index, _)) = across.filter(|_| has(own)) else { return Ok(columns) };
-        let name = String::from_utf8_lossy(&header.record[index]).trim().to_owned();
+        let name = plain(&header.record[index]).into_owned();
         if own == FORMER {
             notices.push(format!("{file_name}: ignored column `{name}`, across the robot's plane"));
             return Ok(columns);

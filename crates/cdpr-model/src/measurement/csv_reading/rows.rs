@@ -1,5 +1,7 @@
 //! A measurement file, and one row of it.
 
+use std::borrow::Cow;
+
 use csv::ByteRecord;
 
 use super::content::{Columns, Content};
@@ -19,6 +21,15 @@ pub(super) struct CsvFile<'a> {
     pub(super) layout: Layout<'a>,
     /// Encoding of the bytes if it is not UTF-8.
     pub(super) encoding: Option<&'static str>,
+}
+
+/// The text of a field without blanks around it, and without quotes that blanks stand before.
+pub(super) fn plain(field: &[u8]) -> Cow<'_, str> {
+    let text = String::from_utf8_lossy(field.trim_ascii());
+    match text.strip_prefix('"').and_then(|rest| rest.strip_suffix('"')) {
+        Some(inner) => Cow::Owned(inner.trim().to_owned()),
+        None => text,
+    }
 }
 
 /// One data row with its position in the file.

@@ -130,6 +130,75 @@ fn lengths_that_count_from_an_unknown_pose_are_lengths_with_unknown_offsets() {
     assert!(reading.notices[0].contains("length-offset"), "{:?}", reading.notices);
 }
 
+#[test]
+fn cables_counted_from_0_are_refused_with_their_new_names() {
+    let plain = ReadingOptions::default();
+    let from_0 = (1..=4).fold(whole(&robot(), 8), |text, cable| {
+        text.replacen(&format!("cable_length_m_{cable}"), &format!("cable_length_m_{}", cable - 1), 1)
+    });
+    let error = read_with(&from_0, &plain).unwrap_err();
+    assert_eq!((error.code, error.line()), ("csv::cable-count", Some(1)), "{error}");
+    let words = error.to_string();
+    assert!(words.contains("counted from 1: rename _0 … _3 to _1 … _4") && words.contains("data.csv:1:13"), "{words}");
+    // a column more, beside those of all cables
+    let more = whole(&robot(), 8).replace("t_s", "tension_N_0").replacen("tension_N_0", "cable_length_m_0", 1);
+    assert_eq!(read_with(&more, &plain).unwrap().samples.len(), 8);
+    // the map may name them
+    let names: Vec<(String, String)> =
+        (1..=4).map(|cable| (format!("cable_length_m_{cable}"), format!("cable_length_m_{}", cable - 1))).collect();
+    let pairs: Vec<(&str, &str)> = names.iter().map(|(name, column)| (name.as_str(), column.as_str())).collect();
+    let read = read_with(&from_0, &mapped(&pairs)).unwrap().samples;
+    assert_eq!(read.lengths, read_with(&whole(&robot(), 8), &plain).unwrap().samples.lengths);
+}
+
+#[test]
+fn blanks_before_quotes_are_none_of_the_name_or_the_number() {
+    let plain = ReadingOptions::default();
+    let text = whole(&robot(), 6);
+    let (header, body) = text.split_once('\n').unwrap();
+    let quoted = |line: &str| line.split(',').map(|field| format!("\"{field}\"")).collect::<Vec<_>>().join(", ");
+    let expected = read_with(&text, &plain).unwrap().samples;
+    let named = format!("{}\n{body}", quoted(header));
+    assert_eq!(read_with(&named, &plain).unwrap().samples, expected);
+    let all: String = text.lines().map(|line| quoted(line) + "\n").collect();
+    assert_eq!(read_with(&all, &plain).unwrap().samples, expected);
+}
+
+#[test]
+fn what_stands_for_no_number_offers_to_leave_the_row_out() {
+    for word in ["-", "#N/A", "n/a", "NaN", "NA", "null", ""] {
+        let text = whole(&robot(), 6).replacen("\n0.02,", &format!("\n0.02,{word},"), 1);
+        let text = text.lines().map(|line| {
+            let fields: Vec<&str> = line.split(',').collect();
+            let is_longer = fields.len() > 7;
+            let kept = fields.iter().enumerate().filter(|(place, _)| !(is_longer && *place == 2));
+            kept.map(|(_, field)| *field).collect::<Vec<_>>().join(",") + "\n"
+        });
+        let text: String = text.collect();
+        let error = read_with(&text, &ReadingOptions::default()).unwrap_err();
+        assert_eq!((error.code, error.line()), ("csv::not-a-number", Some(4)), "{word}: {error}");
+        assert!(error.to_string().contains("have rows with mistakes left out"), "{word}: {error}");
+        let options = ReadingOptions { skip_invalid: true, ..ReadingOptions::default() };
+        assert_eq!(read_with(&text, &options).unwrap().samples.len(), 5, "{word}");
+    }
+}
+
+#[test]
+fn parts_of_the_data_have_the_words_that_splits_know() {
+    let with = |words: [&str; 4]| {
+        let text = whole(&robot(), 4);
+        let mut words = std::iter::once("set").chain(words);
+        text.lines().map(|line| format!("{line},{}\n", words.next().unwrap())).collect::<String>()
+    };
+    let read = |words| read_with(&with(words), &ReadingOptions::default());
+    let samples = read(["train", "validation", "test", ""]).unwrap().samples;
+    assert_eq!(samples.set.unwrap(), ["train", "validation", "test", ""]);
+    let error = read(["train", "train", "val", "train"]).unwrap_err();
+    assert_eq!((error.code, error.line()), ("csv::set", Some(4)), "{error}");
+    let words = error.to_string();
+    assert!(words.contains("`val`") && words.contains("`train`, and `validation` or `test`"), "{words}");
+}
+
 /// A log of the winches at 100 Hz and one of a tracker at 120 Hz with a gap of half a second: rows in the gap have no
 /// pose.
 #[test]

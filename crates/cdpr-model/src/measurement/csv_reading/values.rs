@@ -5,10 +5,16 @@ use std::num::ParseFloatError;
 use nalgebra::UnitQuaternion;
 
 use super::complaints::shortened;
-use super::rows::{CsvFile, Format, Row};
+use super::rows::{CsvFile, Format, Row, plain};
 use crate::geometry::{MotionPattern, Pose};
+use crate::measurement::Split;
 use crate::measurement::columns::Quantity;
 use crate::reading::{MAGNITUDE_LIMIT, ReadError};
+
+/// Words for no number, besides an empty field and NaN.
+const NO_VALUE: &[&str] = &["-", "--", "#N/A", "n/a", "NA", "null", "none", "nil", "missing", "?"];
+/// Advice for a row without one of its numbers.
+const LEAVE_OUT: &str = "remove the row, or have rows with mistakes left out";
 
 impl CsvFile<'_> {
     pub(super) fn pose(&self, format: &Format, row: &Row<'_>) -> Result<Pose, ReadError> {
@@ -82,7 +88,7 @@ impl CsvFile<'_> {
     /// The error for that value.
     pub(super) fn too_far_error(&self, format: &Format, row: &Row<'_>, quantity: Quantity, value: f64) -> ReadError {
         let index = format.columns.get(&quantity).map_or(0, |column| column.0);
-        let column = String::from_utf8_lossy(&row.header[index]).trim().to_owned();
+        let column = plain(&row.header[index]);
         let message = format!("column `{column}`: {value} m is more than 50 times the size of the robot");
         let help = "is this value in another unit than its column, or is its decimal point lost?";
         self.at(row, index, "csv::magnitude", message).with_help(help)
@@ -93,18 +99,37 @@ impl CsvFile<'_> {
         let Some(&(index, factor)) = format.columns.get(&quantity) else {
             return Err(self.header_error("csv::missing-column", format!("a column for {quantity:?} is missing")));
         };
-        let written = String::from_utf8_lossy(&row.record[index]);
-        let column = String::from_utf8_lossy(&row.header[index]);
+        let written = plain(&row.record[index]);
+        let column = plain(&row.header[index]);
         let error = |message: String| self.at(row, index, "csv::not-a-number", message);
-        match self.parsed(format, written.trim()) {
+        match self.parsed(format, &written) {
             Ok(value) if value.is_finite() && value.abs() <= MAGNITUDE_LIMIT => Ok(value * factor),
-            Ok(value) => Err(error(format!("column `{column}`: {value} is not a number to calculate with"))
-                .with_help("remove the row, or have rows with mistakes left out")),
-            Err(_) if written.trim().is_empty() => Err(error(format!("column `{column}` is empty here"))
-                .with_help("remove the row, or have rows with mistakes left out")),
+            Ok(value) => {
+                Err(error(format!("column `{column}`: {value} is not a number to calculate with")).with_help(LEAVE_OUT))
+            }
+            Err(_) if written.is_empty() => Err(error(format!("column `{column}` is empty here")).with_help(LEAVE_OUT)),
+            Err(_) if NO_VALUE.iter().any(|word| written.eq_ignore_ascii_case(word)) => {
+                Err(error(format!("column `{column}`: `{written}` stands where a number belongs")).with_help(LEAVE_OUT))
+            }
             Err(_) => Err(error(format!("column `{column}`: `{}` is not a number", shortened(&written)))
                 .with_help(self.help_for_text(&written, row, format.decimals))),
         }
+    }
+
+    /// The part of the data that a row belongs to; empty if the row names none, `None` if the file has no such column.
+    pub(super) fn set(&self, format: &Format, row: &Row<'_>) -> Result<Option<String>, ReadError> {
+        let Some(&(index, _)) = format.columns.get(&Quantity::Set) else { return Ok(None) };
+        let word = plain(&row.record[index]);
+        if word.is_empty() || Split::SETS.contains(&word.as_ref()) {
+            return Ok(Some(word.into_owned()));
+        }
+        let [train, validation, test] = Split::SETS;
+        let column = plain(&row.header[index]);
+        let message = format!("column `{column}`: `{}` is no part of the data that is known", shortened(&word));
+        let help = format!(
+            "the words are `{train}`, and `{validation}` or `{test}`; name the column otherwise if it means something else"
+        );
+        Err(self.at(row, index, "csv::set", message).with_help(help))
     }
 
     /// Parses a number with the decimal mark of the file; the other mark is an error.

@@ -1,14 +1,14 @@
-//! Poses of a marker that were taken for those of the platform.
+//! Poses of a marker that were taken for those of the platform, and anchors that would explain the same.
 
-use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
+use nalgebra::{Matrix3, Vector3};
 
-use super::data::Data;
-use crate::geometry::{Pose, Twist, product};
+use crate::geometry::Pose;
+use crate::measurement::comparison::frames::marker_of;
+use crate::measurement::comparison::{Data, Fit};
 use crate::robot::Robot;
 
-/// Steps allowed, and the length of a step that ends the search (m, rad).
-const STEPS: usize = 30;
-const STEP_END: f64 = 1e-9;
+/// Steps of an anchor.
+const STEPS: usize = 10;
 /// Offset as a fraction of the anchors' diagonal, and angle (rad), below which neither is reported.
 const WORTH_SHARE: f64 = 1e-3;
 const WORTH_ANGLE: f64 = 0.01;
@@ -17,60 +17,12 @@ const WORTH_ANGLE: f64 = 0.01;
 pub(super) struct Marker(Pose);
 
 impl Marker {
-    /// The pose of the platform in the marker's frame that fits best, by Gauss–Newton steps from the identity; each
-    /// cable's lengths may have an offset.
-    pub(super) fn of(data: &Data<'_>) -> Option<Self> {
-        let robot = data.robot;
-        let basis = robot.motion_pattern.twist_basis(robot.plane);
-        let mut marker = Self(Pose::identity());
-        for _ in 0..STEPS {
-            let step = marker.step(data, &basis)?;
-            marker.0 = Pose {
-                position: marker.0.position + step.fixed_rows::<3>(0),
-                rotation: marker.0.rotation * UnitQuaternion::new(step.fixed_rows::<3>(3).into_owned()),
-            };
-            if !marker.0.is_finite() || marker.0.position.norm() > robot.anchor_diagonal() {
-                return None;
-            }
-            if step.amax() < STEP_END {
-                break;
-            }
-        }
-        Some(marker)
-    }
-
-    /// The Gauss–Newton step of the marker's pose along the robot's degrees of freedom.
-    fn step(&self, data: &Data<'_>, basis: &[Twist]) -> Option<Twist> {
-        let (rows, count) = (data.poses.len(), basis.len());
-        let m = data.recorded.len();
-        let mut jacobian = DMatrix::zeros(rows * m, count);
-        let mut residuals = DVector::zeros(rows * m);
-        for (cable, recorded) in data.recorded.iter().enumerate() {
-            let anchors = &data.robot.cables[cable];
-            for (row, pose) in data.poses.iter().enumerate() {
-                let platform = product(pose, &self.0);
-                let span = platform.transform(&anchors.platform_anchor) - anchors.frame_anchor;
-                let (length, at) = (span.norm(), cable * rows + row);
-                residuals[at] = recorded[row] - length;
-                for (k, unit) in basis.iter().enumerate() {
-                    let (shift, turn): (Vector3<f64>, Vector3<f64>) =
-                        (unit.fixed_rows::<3>(0).into(), unit.fixed_rows::<3>(3).into());
-                    let moved = pose.rotation * shift + platform.rotation * turn.cross(&anchors.platform_anchor);
-                    jacobian[(at, k)] = span.dot(&moved) / length;
-                }
-            }
-            centre(residuals.as_mut_slice(), cable * rows, rows);
-            (0..count).for_each(|k| centre(jacobian.column_mut(k).as_mut_slice(), cable * rows, rows));
-        }
-        let normal = jacobian.tr_mul(&jacobian);
-        // directions that the data do not determine keep their values
-        let solved = normal.pseudo_inverse(1e-9 * (1.0 + rows as f64)).ok()? * jacobian.tr_mul(&residuals);
-        Some(basis.iter().zip(solved.iter()).map(|(unit, size)| unit * *size).sum())
-    }
-
-    /// Poses of the platform from those of the marker.
-    pub(super) fn platform_poses(&self, poses: &[Pose]) -> Vec<Pose> {
-        poses.iter().map(|pose| product(pose, &self.0)).collect()
+    /// The pose of the platform in the marker's frame that fits best, with the misfit (m) that it leaves; `None` where
+    /// it lies beyond the robot, or where this is not below a share of what free frame anchors leave.
+    pub(super) fn of(data: &Data<'_>, share: f64) -> Option<(f64, Self)> {
+        let (left, frames) = marker_of(data);
+        let is_near = frames.marker.position.norm() < data.robot.anchor_diagonal();
+        (is_near && left < share * left_by_anchors(data)).then_some((left, Self(frames.marker)))
     }
 
     /// Offset and rotation in words.
@@ -90,9 +42,41 @@ impl Marker {
     }
 }
 
-/// Subtracts the mean from a range of numbers.
-fn centre(numbers: &mut [f64], from: usize, count: usize) {
-    let stretch = &mut numbers[from..from + count];
-    let mean = stretch.iter().sum::<f64>() / count.max(1) as f64;
-    stretch.iter_mut().for_each(|number| *number -= mean);
+/// Misfit that is left if each frame anchor lies where its lengths fit best (m).
+fn left_by_anchors(data: &Data<'_>) -> f64 {
+    let m = data.recorded.len();
+    let squares: f64 = (0..m).map(|cable| left_by_anchor(data, cable)).sum();
+    (squares / m.max(1) as f64).sqrt()
+}
+
+/// Mean square residual of one cable with its best frame anchor, offset and scale (m²).
+fn left_by_anchor(data: &Data<'_>, cable: usize) -> f64 {
+    let (anchors, recorded) = (&data.robot.cables[cable], &data.recorded[cable]);
+    let ends: Vec<Vector3<f64>> = data.poses.iter().map(|pose| pose.transform(&anchors.platform_anchor)).collect();
+    let count = ends.len().max(1) as f64;
+    let lengths = |anchor: &Vector3<f64>| -> Vec<f64> { ends.iter().map(|end| (anchor - end).norm()).collect() };
+    let (mut anchor, mut least) = (anchors.frame_anchor, f64::INFINITY);
+    for _ in 0..STEPS {
+        let modelled = lengths(&anchor);
+        let fit = Fit::of(&modelled, recorded);
+        let residuals: Vec<f64> = modelled.iter().zip(recorded).map(|(l, q)| fit.residual(*l, *q)).collect();
+        let squares = residuals.iter().map(|residual| residual * residual).sum::<f64>() / count;
+        if !(squares < least) {
+            break;
+        }
+        least = squares;
+        let directions: Vec<Vector3<f64>> =
+            ends.iter().zip(&modelled).map(|(end, length)| (anchor - end) / length.max(f64::MIN_POSITIVE)).collect();
+        let mean = directions.iter().sum::<Vector3<f64>>() / count;
+        let (mut normal, mut gradient) = (Matrix3::zeros(), Vector3::zeros());
+        for (direction, residual) in directions.iter().zip(&residuals) {
+            let row = fit.scale * (direction - mean);
+            normal += row * row.transpose();
+            gradient += row * *residual;
+        }
+        normal += Matrix3::identity() * (1e-6 * normal.trace());
+        let Some(factor) = normal.cholesky() else { break };
+        anchor += factor.solve(&gradient);
+    }
+    least
 }

@@ -6,11 +6,16 @@ use nalgebra::{Quaternion, UnitQuaternion, Vector3};
 use rand::{RngExt, SeedableRng};
 
 use super::*;
-use crate::geometry::Pose;
+use crate::geometry::{Pose, inverse, product};
 
 /// The mix-up in words.
 fn found_words(robot: &Robot, samples: &Samples, angles: &[[f64; 3]]) -> Option<String> {
-    super::found(robot, samples, angles).map(|finding| finding.text)
+    super::found(robot, &with_angles(samples, angles)).map(|finding| finding.text)
+}
+
+/// Samples with the angles of a file, or with quaternions.
+fn with_angles(samples: &Samples, angles: &[[f64; 3]]) -> Samples {
+    Samples { angles: (!angles.is_empty()).then(|| angles.to_vec()), ..samples.clone() }
 }
 
 /// Samples with rotations of the platform of up to 30° about each axis, with lengths of points, offsets and noise of
@@ -255,4 +260,69 @@ fn an_angle_in_the_plane_is_tried_in_degrees_and_the_other_way_round() {
     assert_eq!(written(1.0), None);
     assert!(written(180.0 / PI).unwrap().contains("look like degrees"));
     assert!(written(-1.0).unwrap().contains("turned the other way"));
+}
+
+/// The world of a tracker and a marker beside the platform's origin hide no convention, and are none.
+#[test]
+fn conventions_are_named_in_the_world_of_a_tracker_too() {
+    let tracker = Pose::from_xyz_angles(Vector3::new(3.2, -1.1, 0.4), [0.2, -0.1, 2.8]);
+    let marker = Pose::from_xyz_angles(Vector3::new(0.12, 0.05, 0.31), [0.02, 0.3, -0.1]);
+    for robot in robots() {
+        let (samples, _) = recorded(&robot);
+        let told = with_poses(&samples, |pose| product(&product(&tracker, pose), &marker));
+        assert_eq!(found_words(&robot, &told, &[]), None, "{}", robot.name);
+        let wxyz = |pose: &Pose| {
+            let q = pose.rotation.coords;
+            Pose { rotation: UnitQuaternion::new_unchecked(Quaternion::new(q[2], q[3], q[0], q[1])), ..*pose }
+        };
+        for (written, words) in [
+            (with_poses(&told, wxyz), "the scalar came first:"),
+            (with_rotations(&told, |rotation| rotation.inverse()), "the quaternions look as if they turned the world"),
+            (with_poses(&told, inverse), "the poses look as if they were those of the world in the platform"),
+        ] {
+            let found = found_words(&robot, &written, &[]).unwrap_or_default();
+            assert!(found.contains(words) && !found.contains("one of"), "{}: {words}: {found}", robot.name);
+        }
+    }
+}
+
+/// A point has no marker apart from its place: anchors that are off explain as much.
+#[test]
+fn anchors_of_a_point_that_are_off_are_no_marker() {
+    for name in ["planar-example"] {
+        let robot = Robot::builtin(name).unwrap();
+        let mut machine = robot.clone();
+        machine.cables.iter_mut().enumerate().for_each(|(k, cable)| {
+            cable.frame_anchor += robot.plane.first_axis() * 0.02 + robot.plane.second_axis() * 0.02 * (k as f64).cos();
+        });
+        let mut samples = Samples { cable_count: robot.cable_count(), ..Samples::default() };
+        for k in 0..60 {
+            let t = 0.1 * f64::from(k);
+            let at = [0.5 + 1.5 * t.sin(), 3.0 + (1.7 * t).cos()];
+            let pose = robot.motion_pattern.pose(robot.plane, &at).unwrap();
+            samples.lengths.extend(lengths(&machine, &pose));
+            samples.poses.push(pose);
+        }
+        assert_eq!(found_words(&robot, &samples, &[]), None);
+    }
+}
+
+/// Angles up to 14° in another order are within the misfit of coarse anchors; the right anchors show them.
+#[test]
+fn a_calibrated_robot_shows_what_coarse_anchors_hide() {
+    for robot in robots() {
+        let (mut samples, angles) = recorded(&robot);
+        let small: Vec<[f64; 3]> = angles.iter().map(|angles| angles.map(|angle| 0.4 * angle)).collect();
+        samples.lengths.clear();
+        for (pose, angles) in samples.poses.iter_mut().zip(&small) {
+            let about = |axis: usize| UnitQuaternion::from_axis_angle(&Vector3::ith_axis(axis), angles[axis]);
+            let true_pose = Pose { rotation: about(2) * about(1) * about(0), ..*pose };
+            samples.lengths.extend(lengths(&robot, &true_pose));
+            *pose = Pose::from_xyz_angles(pose.position, *angles);
+        }
+        let found = with_robot(&robot, &with_angles(&samples, &small)).unwrap();
+        assert!(found.text.contains("R = Rz Ry Rx (roll–pitch–yaw)"), "{}", found.text);
+        let (clean, angles) = recorded(&robot);
+        assert_eq!(with_robot(&robot, &with_angles(&clean, &angles)), None);
+    }
 }
