@@ -49,6 +49,14 @@ struct Explanation {
     words: String,
 }
 
+impl Explanation {
+    /// True unless frames of tracker and marker explain the poses as written better (misfit in m), which is no mistake of
+    /// recording. Axes and cables have no numbers that adapt, and frames that stand for them turn the robot over.
+    fn stands_beside(&self, in_frames: f64) -> bool {
+        matches!(self.kind, FindingKind::Mirror | FindingKind::Permutation) || in_frames >= CLEARLY * self.left
+    }
+}
+
 /// The mix-up that explains the misfit of poses and lengths, in words; `None` without one.
 pub(super) fn found(robot: &Robot, samples: &Samples) -> Option<Finding> {
     let data = Data::of(robot, samples);
@@ -72,8 +80,7 @@ pub(super) fn found(robot: &Robot, samples: &Samples) -> Option<Finding> {
             words: marker.words(robot),
         }));
     }
-    // frames of tracker and marker that explain the poses as written are no mistake of recording
-    told.retain(|explanation| in_frames >= CLEARLY * explanation.left);
+    told.retain(|explanation| explanation.stands_beside(in_frames));
     if !told.is_empty() {
         return finding(told, as_written, "");
     }
@@ -97,7 +104,7 @@ pub fn with_robot(robot: &Robot, samples: &Samples) -> Option<Finding> {
     let told = data.explanations(limit(as_written, data.poses.len()));
     let framed = Framed::of(&few);
     let in_frames = framed.misfit(&few.poses);
-    if !told.is_empty() && told.iter().any(|explanation| in_frames >= CLEARLY * explanation.left) {
+    if !told.is_empty() && told.iter().any(|explanation| explanation.stands_beside(in_frames)) {
         return finding(told, as_written, "");
     }
     let told = few.explanations_in_frames(&framed, limit(in_frames, few.poses.len()));

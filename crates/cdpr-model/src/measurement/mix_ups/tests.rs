@@ -326,3 +326,22 @@ fn a_calibrated_robot_shows_what_coarse_anchors_hide() {
         assert_eq!(with_robot(&robot, &with_angles(&clean, &angles)), None);
     }
 }
+
+/// Two swapped cables of a plotter are its world turned over, which no plotter is.
+#[test]
+fn swapped_cables_of_a_plotter_are_named_though_a_frame_could_stand_for_them() {
+    let mut robot = Robot::builtin("planar-example").unwrap();
+    robot.cables.drain(..2);
+    let mut machine = robot.clone();
+    machine.cables[0].frame_anchor += robot.plane.first_axis() * 0.05;
+    let mut samples = Samples { cable_count: 2, ..Samples::default() };
+    for k in 0..60 {
+        let t = 0.1 * f64::from(k);
+        let at = [4.0 + 1.5 * t.sin(), 3.0 + (1.7 * t).cos()];
+        let pose = robot.motion_pattern.pose(robot.plane, &at).unwrap();
+        samples.lengths.extend(lengths(&machine, &pose).into_iter().rev());
+        samples.poses.push(pose);
+    }
+    let words = found_words(&robot, &samples, &[]).unwrap();
+    assert!(words.contains("cables 1 to 2 of the robot fit the recorded lengths 2, 1"), "{words}");
+}
