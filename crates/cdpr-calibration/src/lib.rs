@@ -86,7 +86,8 @@ pub use scaling::{
     ConditionMap, Conditioning, Influence, KindCondition, KindScale, condition_map, conditioning, scaled_kind,
 };
 pub use self_calibration::{
-    Comparison, GaugeFixing, SelfCalibration, SensorFit, cross_validate_without_poses, evaluate_lengths, self_calibrate,
+    Comparison, GaugeFixing, PredictedBand, SelfCalibration, SensorFit, cross_validate_without_poses, evaluate_lengths,
+    self_calibrate,
 };
 pub use stopping::{StoppedBy, StoppingRule};
 pub use verdict::{Doubt, DoubtKind, Verdict};

@@ -1,7 +1,9 @@
 //! Identified models, with and without measured poses.
 
 use cdpr_calibration::fit::Fit;
-use cdpr_calibration::{Comparison, ErrorBlocks, GaugeFixing, ObjectiveValues, SelfCalibration, SensorFit};
+use cdpr_calibration::{
+    Comparison, ErrorBlocks, GaugeFixing, ObjectiveValues, PredictedBand, SelfCalibration, SensorFit,
+};
 use cdpr_model::reading::Keyword;
 use cdpr_study::accuracy::Accuracy;
 use cdpr_study::{Identification, JudgedOptimum, OptimumOf};
@@ -9,7 +11,7 @@ use serde::Serialize;
 
 use super::adapters::{keys, tables};
 use super::fit::{FitKeys, PoselessFitKeys};
-use super::{Each, ErrorBlockKeys, Maybe, PoseErrorKeys};
+use super::{Each, ErrorBlockKeys, Maybe, PoseErrorKeys, PredictedBandKeys};
 
 /// Fit with the errors that judge it.
 #[derive(Serialize)]
@@ -65,6 +67,8 @@ pub(crate) struct SelfCalibrationKeys {
     sensors: Vec<SensorFit>,
     #[serde(with = "GaugeFixingKeys")]
     gauge: GaugeFixing,
+    #[serde(flatten, with = "Maybe::<PredictedBandKeys>")]
+    band: Option<PredictedBand>,
 }
 
 tables!(
