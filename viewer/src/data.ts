@@ -86,12 +86,22 @@ export interface Candidate {
   outliers?: Outlier[];
   parameter_count?: number;
   parameters?: Estimate[];
+  /** By held numbers within their accuracies. */
+  pose_band_by_held_m?: number | null;
+  /** By free parameters. */
+  pose_band_by_parameters_m?: number | null;
+  /** Both. */
+  pose_band_m?: number | null;
+  /** The largest at a sampled pose. */
+  pose_band_max_m?: number | null;
   rank?: number;
   reason?: string;
   /** Mean position error as a fraction of the diagonal of the validation positions (eq. 3.5). */
   relative_position_error?: number | null;
   requirements?: RequirementOutcome[];
   rows?: number;
+  /** Diagonal of the box of the sampled positions. */
+  sampled_diagonal_m?: number | null;
   /** Validation samples that no candidate explains and no figure counts. */
   set_aside_samples?: number;
   /** Singular values in SI units, from large to small (eq. 4.23). */
@@ -229,6 +239,25 @@ export interface FinalState {
   tensions_N: number[];
   time_s: number;
   velocity_m_s: number[];
+}
+
+/** Something that speaks against the answer; `cdpr explain finding::KIND` says what the kind means. */
+export interface Finding {
+  /** Cable, counted from 1; null if it is about several or none. */
+  cable: number | null;
+  /** Fraction of the residuals' squares that it explains; null where it explains none. */
+  explains: number | null;
+  kind: string;
+  /** Line of the data file where it begins, the header being line 1; null without a place. */
+  line: number | null;
+  /** remark, caution or distrust. */
+  severity: string;
+  /** The finding in a sentence. */
+  text: string;
+  /** Unit of the size; empty for a ratio. */
+  unit: string;
+  /** Size in `unit`; null without one. */
+  value: number | null;
 }
 
 /** Errors on the data that one fold held out. */
@@ -575,6 +604,8 @@ export interface Selection {
   criterion: string;
   /** Source of the samples. */
   data: string;
+  /** What speaks against the answer, the worst first. */
+  findings: Finding[];
   gauge?: Gauge;
   marker_frame?: FrameEstimate | null;
   /** Folder of the result's files. */

@@ -92,7 +92,8 @@ pub use scaling::{
 };
 pub use screening::{Screened, repeated_of, screened};
 pub use self_calibration::{
-    Comparison, GaugeFixing, SelfCalibration, SensorFit, cross_validate_without_poses, evaluate_lengths, self_calibrate,
+    Comparison, GaugeFixing, PredictedBand, SelfCalibration, SensorFit, cross_validate_without_poses, evaluate_lengths,
+    self_calibrate,
 };
 pub use stopping::{StoppedBy, StoppingRule};
 pub use verdict::{Doubt, DoubtKind, Verdict};

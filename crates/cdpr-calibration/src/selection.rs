@@ -1,5 +1,6 @@
 //! The simplest control model that is good enough, on data it was not fitted to.
 
+mod by_band;
 mod comparison;
 mod criterion;
 mod judge;

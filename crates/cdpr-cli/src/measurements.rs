@@ -26,7 +26,8 @@ pub(crate) struct DataArguments {
     #[arg(value_name = "DATA")]
     data: PathBuf,
 
-    /// Standard deviations of the sensors per axis, instead of the sidecar's: position_m, rotation_rad, length_m, tension_N, swivel_rad.
+    /// Standard deviations of the sensors per axis, instead of the sidecar's: position_m, rotation_rad, length_m, tension_N, swivel_rad;
+    /// length_scale, a ratio, of a factor that all lengths may have in common.
     #[arg(long, value_name = "NAME=SIGMA,…", value_delimiter = ',', allow_hyphen_values = true)]
     sigma: Vec<SigmaOption>,
 
@@ -75,12 +76,13 @@ pub(crate) struct SigmaOption {
 }
 
 /// Sensors by their names, which end with the unit.
-const SENSORS: [(&str, Sensor); 5] = [
+const SENSORS: [(&str, Sensor); 6] = [
     ("position_m", Sensor::Position),
     ("rotation_rad", Sensor::Rotation),
     ("length_m", Sensor::Length),
     ("tension_N", Sensor::Tension),
     ("swivel_rad", Sensor::Swivel),
+    ("length_scale", Sensor::LengthScale),
 ];
 
 #[derive(Clone, Copy, Debug)]
@@ -90,6 +92,7 @@ enum Sensor {
     Length,
     Tension,
     Swivel,
+    LengthScale,
 }
 
 impl SigmaOption {
@@ -308,6 +311,7 @@ impl SigmaOption {
             Sensor::Length => &mut sigmas.length,
             Sensor::Tension => &mut sigmas.tension,
             Sensor::Swivel => &mut sigmas.swivel,
+            Sensor::LengthScale => &mut sigmas.length_scale,
         };
         *place = Some(self.sigma);
     }

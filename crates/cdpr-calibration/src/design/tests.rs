@@ -111,8 +111,13 @@ fn the_next_best_pose_is_the_best_of_all() {
 #[test]
 fn deviations_are_those_of_simulated_calibrations() {
     let model = helicopter();
-    let sigmas =
-        SensorSigmas { position: Some(1e-3), rotation: Some(5e-4), length: Some(5e-4), tension: None, swivel: None };
+    let sigmas = SensorSigmas {
+        position: Some(1e-3),
+        rotation: Some(5e-4),
+        length: Some(5e-4),
+        tension: None,
+        ..SensorSigmas::default()
+    };
     let candidates = Candidates::new(&model, &grid(), 1, sigmas).unwrap();
     let free: FreeParameters = "frame-anchor".parse().unwrap();
     let asked = settings(25, DesignCriterion::D);

@@ -9,6 +9,7 @@ use crate::fit::{self, Fit};
 use crate::likelihood::Information;
 use crate::paired::Difference;
 use crate::plausibility::Distrust;
+use crate::self_calibration::PredictedBand;
 use cdpr_model::finding::Finding;
 use cdpr_model::model::ModelError;
 
@@ -62,6 +63,8 @@ pub struct Judgement {
     pub distrust: Distrust,
     /// Mean position error on validation data as a share of the diagonal of these positions (eq. 3.5, 3.7); `None` for one position.
     pub relative_position_error: Option<f64>,
+    /// Bands of predicted poses, where no pose is measured.
+    pub pose_band: Option<PredictedBand>,
     /// Likelihood and information criteria of the reported fit.
     pub information: Option<Information>,
     /// Criterion on regions of the workspace that the fit had not seen, where regions were left out besides.
@@ -100,6 +103,7 @@ impl Judgement {
             requirements: Vec::new(),
             distrust: Distrust::default(),
             relative_position_error: None,
+            pose_band: None,
             information: None,
             regions: None,
             region_errors: None,

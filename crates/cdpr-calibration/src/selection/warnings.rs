@@ -78,10 +78,11 @@ impl Fit {
     }
 }
 
-/// A mix-up that explains most of a misfit is the cause of an answer that nobody should trust, and weighs as much as what follows from it.
+/// A mix-up that explains most of a misfit, and a frame that poses need, is the cause of an answer that nobody should trust, and weighs as much as what follows from it.
 fn as_cause(doubt: &Doubt, is_distrusted: bool) -> Doubt {
     let explains = doubt.finding.explains.is_some_and(|fraction| fraction > 0.5);
-    match is_distrusted && explains && doubt.finding.severity == Severity::Caution {
+    let is_cause = explains || doubt.kind == DoubtKind::Frames;
+    match is_distrusted && is_cause && doubt.finding.severity == Severity::Caution {
         true => Doubt::from(Finding { severity: Severity::Distrust, ..doubt.finding.clone() }),
         false => doubt.clone(),
     }

@@ -2,6 +2,7 @@
 
 use std::ops::ControlFlow;
 
+use super::by_band::{choose_by_band, doubts_of_band};
 use super::comparison::{Compared, Comparing};
 use super::settings::Settings;
 use super::{CandidateFailure, InputError, JudgedCandidate, Judgement, Selection, SelectionCriterion};
@@ -10,7 +11,7 @@ use crate::candidate::Candidate;
 use crate::cross_validation::reported_part;
 use crate::evaluation::Evaluation;
 use crate::fit;
-use crate::plausibility::distrust;
+use crate::plausibility::{Distrust, distrust};
 use crate::progress::SharedProgress;
 use crate::self_calibration::{Calibrated, Calibrations};
 use cdpr_model::measurement::{Fold, InternalSamples, Samples};
@@ -57,9 +58,13 @@ pub fn select_without_poses(
     let compared = Compared::Criterion(settings.criterion);
     comparison::compare(&mut judged, &Comparing { settings, compared, groups: &[] });
     for judgement in judged.iter_mut().filter_map(|candidate| candidate.outcome.as_mut().ok()) {
+        let of_samples = std::mem::take(&mut judgement.distrust.reasons);
         judgement.distrust = distrust(robot, &judgement.fit.model, &internal.samples, &judgement.validation);
+        judgement.distrust.reasons.extend(of_samples);
+        judgement.distrust.reasons.extend(doubts_of_band(judgement.pose_band.as_ref(), internal));
     }
     let mut selection = recommend(judged, compared, settings.criterion);
+    choose_by_band(&mut selection);
     let outcome = preferences::Outcome {
         candidates: &selection.candidates,
         best: selection.best,
@@ -96,7 +101,9 @@ impl Problem<'_> {
             found
         };
         let part = reported_part(&internal.samples, folds);
-        let reported = calibrated(&part)?;
+        let reported = calibrations.with_band(&part, &|| self.progress.silent());
+        self.progress.report().map_err(fit::InputError::from)?;
+        let reported = reported?;
         let train = reported.predict(&internal.subset(&part))?.blocks();
         let mut errors = Evaluation::default();
         for fold in folds {
@@ -106,7 +113,9 @@ impl Problem<'_> {
         let places = folds.iter().flat_map(|fold| fold.validation.iter().copied()).collect();
         let sizes = folds.iter().map(|fold| (fold.name.clone(), fold.validation.len())).collect();
         let samples = reported.samples(internal)?;
-        Ok((Judgement::new(reported.fit, train, errors, places, sizes), samples))
+        let Calibrated { fit, band: pose_band, doubts: reasons, .. } = reported;
+        let distrust = Distrust { reasons };
+        Ok((Judgement { pose_band, distrust, ..Judgement::new(fit, train, errors, places, sizes) }, samples))
     }
 }
 

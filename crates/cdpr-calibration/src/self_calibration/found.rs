@@ -21,3 +21,13 @@ pub(super) fn as_found(model: &Model, internal: &InternalSamples, poses: &[Pose]
     }
     Ok(samples)
 }
+
+/// Samples as a model's winches and its calibration read them.
+pub(super) fn read_by(
+    model: &Model,
+    are_changes: bool,
+    internal: &InternalSamples,
+) -> Result<InternalSamples, InputError> {
+    let samples = model.with_lengths(&internal.samples).map_err(InputError::Winch)?.into_owned();
+    Ok(InternalSamples { samples, are_changes, ..internal.clone() })
+}

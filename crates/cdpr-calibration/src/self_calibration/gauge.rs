@@ -242,6 +242,17 @@ fn turned_wrench(model: &Model, parameter: &Parameter, turn: &Vector3<f64>) -> f
     twist.fixed_rows::<3>(0).dot(&force) + twist.fixed_rows::<3>(3).dot(&moment)
 }
 
+/// Shifts and turns of the world in which a robot moves.
+pub(super) fn rigid_motions(model: &Model) -> Vec<(Vector3<f64>, Vector3<f64>)> {
+    let own = model
+        .twist_basis()
+        .iter()
+        .map(|twist| (twist.fixed_rows::<3>(0).into_owned(), twist.fixed_rows::<3>(3).into_owned()));
+    let has_points = model.dof() == model.axes().len();
+    let of_points = if has_points { turns_of_points(model) } else { Vec::new() };
+    own.chain(of_points.into_iter().map(|(_, turn)| (Vector3::zeros(), turn))).collect()
+}
+
 /// Axes about which the world of a robot without turns can be turned.
 fn turns_of_points(model: &Model) -> Vec<(String, Vector3<f64>)> {
     let turns = match model.axes() {

@@ -7,13 +7,19 @@ mod accuracies;
 mod cells;
 mod comparison;
 mod course;
+mod distances;
 mod equations;
 mod evaluation;
+mod far;
 mod found;
 mod gauge;
+mod held;
 mod internal;
+mod left_out;
+mod predicted_band;
 mod question;
 mod sensor_fit;
+mod unseen;
 mod validation;
 mod way_around;
 mod written;
@@ -26,6 +32,7 @@ use super::plausibility::{Distrust, beyond_length_accuracy};
 use super::problem::model_at;
 use super::residual::Poseless;
 use super::unit_scale::joint_scales;
+use super::verdict::Doubt;
 use crate::progress::Progress;
 use cdpr_model::geometry::Pose;
 use cdpr_model::measurement::{InternalSamples, Samples};
@@ -33,10 +40,14 @@ use cdpr_model::model::{FreeParameters, Model};
 use cdpr_model::robot::Parameter;
 pub use comparison::Comparison;
 pub use evaluation::evaluate_lengths;
+use far::Far;
 use found::as_found;
 use gauge::Gauge;
 pub use gauge::GaugeFixing;
 use internal::InternalResidual;
+pub use left_out::self_calibrate;
+use predicted_band::At;
+pub use predicted_band::PredictedBand;
 use question::Question;
 pub use sensor_fit::SensorFit;
 pub use validation::cross_validate_without_poses;
@@ -67,14 +78,21 @@ pub struct SelfCalibration {
     pub counts_changes: bool,
     /// Course of the fit where it was kept ([`Settings::keeps_course`]); residuals are those at the poses of each step.
     pub course: Vec<CourseStep>,
+    /// Bands of predicted poses; `None` if they were not asked for, or poses do not follow the parameters.
+    pub band: Option<PredictedBand>,
+    /// Doubts about single samples.
+    pub doubts: Vec<Doubt>,
+    /// Samples that no pose explains.
+    far: Vec<Far>,
 }
 
-/// Identifies parameters of a model from what a machine's own sensors recorded at unknown poses; `progress` is called after each start.
-pub fn self_calibrate(
+/// A calibration by all samples, with bands of predicted poses or without; `progress` is called after each start.
+fn calibrate_once(
     model: &Model,
     internal: &InternalSamples,
     free: &FreeParameters,
     settings: &Settings,
+    has_band: bool,
     progress: &Progress<'_>,
 ) -> Result<SelfCalibration, InputError> {
     let mut question = Question::of(model, internal, free, settings)?;
@@ -109,6 +127,8 @@ pub fn self_calibrate(
     let course = question.course(&mut residual, &fit, &unknowns)?;
     // angles from a common start are those of no start length
     found.motor_angles = found.motor_angles.filter(|_| !data.are_changes);
+    let band =
+        has_band.then(|| question.band((&calibrated, &kept), &gauge, &end.poses, fit.analysis.inflation)).flatten();
     if unsettled > 0 {
         fit.tell_unsettled(unsettled);
     }
@@ -127,6 +147,9 @@ pub fn self_calibrate(
         parameter_count: question.parameters.len(),
         gauge: gauge.told(model, &question.parameters, data, settings.gauge),
         course,
+        band,
+        far: question.far(&end),
+        doubts: Vec::new(),
         counts_changes: data.are_changes,
         samples: found,
         fit,
@@ -143,11 +166,36 @@ impl SelfCalibration {
             None if left > 0 => (self.cost_m2 / left as f64).sqrt(),
             None => f64::NAN,
         };
-        Distrust { reasons: beyond_length_accuracy(deviation, &self.samples.sigmas).into_iter().collect() }
+        let mut reasons: Vec<Doubt> = beyond_length_accuracy(deviation, &self.samples.sigmas).into_iter().collect();
+        reasons.extend(self.doubts.iter().cloned());
+        reasons.extend(self.band.iter().flat_map(|band| band.findings.iter().cloned().map(Doubt::from)));
+        Distrust { reasons }
     }
 }
 
 impl Question<'_> {
+    /// Bands of predicted poses at an optimum.
+    fn band(
+        &self,
+        (model, kept): (&Model, &[Parameter]),
+        gauge: &Gauge,
+        poses: &[Pose],
+        inflation: f64,
+    ) -> Option<PredictedBand> {
+        At { question: self, model, kept, gauge, poses, inflation }.predicted_band()
+    }
+
+    /// Bands of the poses that the model predicts as it is.
+    fn band_as_given(&self, poses: &[Pose]) -> Option<PredictedBand> {
+        let here = self.rows(&self.model, &[], Some(poses)).ok()?;
+        let gauge = Gauge::of(&self.model, &[], &here.rows, &here.lengths(&self.sensing));
+        let left = self.count_equations().max(1) as f64;
+        let noise = (here.rows.residuals.norm_squared() / left).sqrt();
+        let least = if self.are_stated() { 1.0 } else { 0.0 };
+        let inflation = if noise.is_finite() { noise.max(least) } else { 1.0 };
+        self.band((&self.model, &[]), &gauge, &here.poses, inflation)
+    }
+
     /// Rows at a model's values, poses searched from some that were found before.
     fn rows(&self, model: &Model, parameters: &[Parameter], near: Option<&[Pose]>) -> Result<Written, InputError> {
         let mut residual = self.sensing.residual(model, &self.internal, parameters, &self.equations);

@@ -126,6 +126,14 @@ impl<'a> Question<'a> {
         Ok(question)
     }
 
+    /// The question of a model as it is: nothing is free, and facts count that are known besides.
+    pub(super) fn as_given(model: &Model, internal: &InternalSamples, settings: &'a Settings) -> Self {
+        let sensing = sensing(model, internal, Forces::Sensors);
+        let equations = internal.facts.iter().cloned().map(Equation::Known).collect();
+        let (model, internal) = (model.clone(), internal.clone());
+        Self { model, internal, parameters: Vec::new(), sensing, equations, settings }
+    }
+
     /// Remark on recorded tensions that are no rows.
     pub(super) fn unused_tensions(&self) -> Option<String> {
         let is_used = matches!(&self.sensing, Sensing::All(layout, _) if layout.balances());

@@ -1,11 +1,15 @@
 //! Calibrations without poses, judged on samples that they were not made with.
 
 use super::evaluation::{at_agreed_poses, predict_sensors};
-use super::{SelfCalibration, self_calibrate};
+use super::found::read_by;
+use super::left_out::calibrate;
+use super::question::Question;
+use super::{PredictedBand, SelfCalibration};
 use crate::evaluation::Evaluation;
 use crate::fit::{Fit, InputError, Settings, fit};
 use crate::progress::unobserved;
 use crate::progress::{Progress, report};
+use crate::verdict::Doubt;
 use cdpr_model::measurement::{Fold, InternalSamples, Samples};
 use cdpr_model::model::{FreeParameters, Model};
 
@@ -20,6 +24,10 @@ pub(crate) struct Calibrations<'a> {
 /// A calibrated robot, with the meaning that its calibration gave recorded lengths.
 pub(crate) struct Calibrated {
     pub(crate) fit: Fit,
+    /// Bands of predicted poses, where they were asked for.
+    pub(crate) band: Option<PredictedBand>,
+    /// Doubts about single samples.
+    pub(crate) doubts: Vec<Doubt>,
     /// True where lengths count from those at the world's origin.
     are_changes: bool,
 }
@@ -36,40 +44,45 @@ impl Calibrated {
     }
 
     fn read(&self, internal: &InternalSamples) -> Result<InternalSamples, InputError> {
-        read_by((&self.fit.model, self.are_changes), internal)
+        read_by(&self.fit.model, self.are_changes, internal)
     }
-}
-
-/// Samples as a model's winches and its calibration read them.
-fn read_by((model, are_changes): (&Model, bool), internal: &InternalSamples) -> Result<InternalSamples, InputError> {
-    let samples = model.with_lengths(&internal.samples).map_err(InputError::Winch)?.into_owned();
-    Ok(InternalSamples { samples, are_changes, ..internal.clone() })
 }
 
 impl SelfCalibration {
     /// Errors of what the calibrated robot predicts of samples that it was not calibrated with: residuals of their sensors at the poses that they tell
     /// themselves, scaled for what poses take up of them, so that noise of σ gives errors of σ.
     pub fn predict(&self, internal: &InternalSamples) -> Result<Evaluation, InputError> {
-        predict_sensors(&self.fit.model, &read_by((&self.fit.model, self.counts_changes), internal)?)
+        predict_sensors(&self.fit.model, &read_by(&self.fit.model, self.counts_changes, internal)?)
     }
 
     fn into_calibrated(self) -> Calibrated {
-        Calibrated { fit: self.fit, are_changes: self.counts_changes }
+        Calibrated { fit: self.fit, band: self.band, doubts: self.doubts, are_changes: self.counts_changes }
     }
 }
 
 impl Calibrations<'_> {
     /// A calibration from some of the samples; `progress` is called after each start. Without free parameters the model is as given.
     pub(crate) fn from(&self, part: &[usize], progress: &Progress<'_>) -> Result<Calibrated, InputError> {
+        self.calibrated(part, false, progress)
+    }
+
+    /// The same with bands of predicted poses.
+    pub(crate) fn with_band(&self, part: &[usize], progress: &Progress<'_>) -> Result<Calibrated, InputError> {
+        self.calibrated(part, true, progress)
+    }
+
+    fn calibrated(&self, part: &[usize], has_band: bool, progress: &Progress<'_>) -> Result<Calibrated, InputError> {
         let Self { model, free, settings, .. } = *self;
         let internal = self.internal.subset(part);
         if !free.is_empty() {
-            return Ok(self_calibrate(model, &internal, free, settings, progress)?.into_calibrated());
+            return Ok(calibrate(model, &internal, free, settings, has_band, progress)?.into_calibrated());
         }
         let samples = at_agreed_poses(model, &internal)?;
         let fit = fit(model, &samples, free, settings)?;
+        let band =
+            has_band.then(|| Question::as_given(model, &internal, settings).band_as_given(&samples.poses)).flatten();
         report(progress)?;
-        Ok(Calibrated { fit, are_changes: internal.are_changes })
+        Ok(Calibrated { fit, band, doubts: Vec::new(), are_changes: internal.are_changes })
     }
 }
 

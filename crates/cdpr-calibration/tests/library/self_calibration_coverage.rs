@@ -18,7 +18,7 @@ use rand_distr::{Distribution, Normal};
 const SIGMA: f64 = 0.0005;
 
 /// Four belts in the plane of a sheet with these anchors (m).
-fn belts(anchors: [[f64; 2]; 4]) -> Model {
+pub(super) fn belts(anchors: [[f64; 2]; 4]) -> Model {
     let head = "layout_version = 1\nname = \"belts\"\nmotion_pattern = \"2T\"\naxes = \"xy\"\ncable_count = 4\n";
     let cable =
         |(name, [x, y]): (&str, [f64; 2])| format!("[[cable]]\nname = \"{name}\"\nframe_anchor_m = [{x}, {y}]\n");

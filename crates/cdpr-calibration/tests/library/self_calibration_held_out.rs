@@ -2,12 +2,13 @@
 
 use super::self_calibration::{exact, five_lines, generic};
 use cdpr_calibration::candidate::parse_list;
-use cdpr_calibration::fit::Settings;
+use cdpr_calibration::fit::{Prior, Settings};
 use cdpr_calibration::selection::{self, SelectionCriterion, select_without_poses};
 use cdpr_calibration::unobserved;
 use cdpr_calibration::{evaluate_lengths, self_calibrate};
 use cdpr_model::measurement::{InternalSamples, Samples, Split};
 use cdpr_model::model::{Composition, Model};
+use cdpr_model::robot::ParameterKind;
 
 /// Samples with normal noise of lengths.
 fn noisy(samples: &Samples, sigma: f64, seed: u64) -> Samples {
@@ -41,29 +42,35 @@ fn errors_of_predicted_lengths_are_those_of_the_noise() {
     assert!((by_leverages / sigma - 1.0).abs() < 0.07, "{by_leverages}");
 }
 
-/// Winches that count from elsewhere are found out without poses; where they do not, the model as given is taken and those that contain it are named beside it.
+/// Winches that count from elsewhere are found out without poses; where they do not, and anchors are as accurate as they are said to be, the model as given is taken and those that contain it
+/// are named beside it. Anchors of which nobody says how accurate they are may be off by more than the lengths let free ones be.
 #[test]
 fn candidates_are_told_apart_without_poses_where_the_data_do_so() {
     let given = five_lines();
     let model = Model::new(given.clone(), Composition::STANDARD).unwrap();
     let samples = noisy(&exact(&model, &generic(&model, 60, (0.5, 0.0))), 2e-4, 2);
     let candidates = parse_list("standard;standard:length-offset;standard:frame-anchor").unwrap();
-    let chosen = |offset: f64| {
+    let chosen = |offset: f64, accuracy: Option<f64>| {
         let mut shifted = samples.clone();
         shifted.lengths.iter_mut().step_by(5).for_each(|length| *length += offset);
         let folds = Split::Blocks(4).folds(&shifted, 0).unwrap();
         let internal = InternalSamples::without_poses(shifted, 3, false);
-        let settings = selection::Settings { criterion: SelectionCriterion::Length, ..Default::default() };
+        let prior = |sigma: f64| Prior { kind: ParameterKind::FrameAnchor, sigma };
+        let fit = Settings { priors: accuracy.map(prior).into_iter().collect(), ..Settings::default() };
+        let settings = selection::Settings { criterion: SelectionCriterion::Length, fit, ..Default::default() };
         select_without_poses(&given, &candidates, &internal, &folds, &settings, &unobserved).unwrap()
     };
-    let (selection, found) = chosen(0.004);
+    let (selection, found) = chosen(0.004, Some(2e-4));
     assert_eq!(selection.recommended, Some(1), "{}", selection.reason);
     let criterion = |index: usize| selection.candidates[index].outcome.as_ref().unwrap().criterion;
     // 4 mm in one of five lines, of which two remain
     assert!(criterion(0) > 3.0 * criterion(1), "{} {}", criterion(0), criterion(1));
     let error = |k: usize| (found.poses[k].position - samples.poses[k].position).norm();
     assert!((0..60).all(|k| error(k) < 2e-3), "{:?}", (0..60).map(error).fold(0.0, f64::max));
-    let (selection, _) = chosen(0.0);
+    let (selection, _) = chosen(0.0, None);
+    assert_eq!(selection.recommended, Some(2), "{}", selection.reason);
+    assert!(selection.reason.contains("narrowest band"), "{}", selection.reason);
+    let (selection, _) = chosen(0.0, Some(2e-4));
     assert_eq!(selection.recommended, Some(0), "{}", selection.reason);
     println!("{}", selection.reason);
     assert!(selection.reason.contains("do not tell apart"), "{}", selection.reason);

@@ -101,8 +101,9 @@ impl Arguments {
 
 impl Arguments {
     fn with_poses(&self, reader: &Model, output: &Output) -> Result<DataDivision, Failure> {
-        let samples = screen(self.data.read(reader, output)?, reader, output);
+        let samples = self.data.read(reader, output)?;
         samples.check().map_err(|error| Failure::refused(&self.data.name(), &error))?;
+        let samples = screen(samples, reader, output);
         let Some(path) = &self.validation else { return self.one_file(samples) };
         let other = screen(self.data.read_other(path, reader, output)?, reader, output);
         two_files(&samples, &unseen(&samples, other, path, output)?, path)

@@ -281,3 +281,44 @@ fn what_no_sensor_tells_is_refused_in_words() {
         assert!(run.stderr.contains(code), "{command}: {}", run.stderr);
     }
 }
+
+/// A copy of a case beside the project; `None` where it is absent.
+fn case(name: &str) -> Option<tempfile::TempDir> {
+    let source = root().join("../shared/cases").join(name);
+    let Ok(files) = std::fs::read_dir(&source) else {
+        assert!(std::env::var("CI").as_deref() != Ok("true"), "CI must have {}", source.display());
+        return None;
+    };
+    let folder = tempfile::tempdir().unwrap();
+    for file in files.flatten() {
+        std::fs::copy(file.path(), folder.path().join(file.file_name())).unwrap();
+    }
+    Some(folder)
+}
+
+/// Recorded lengths of a gear that is off by 5 % fit as well as any, and the poses of the fit are 832 mm off: no answer is silent about the scale, and a
+/// distance is named that tells it.
+#[test]
+fn a_wrong_gear_is_told_where_no_pose_shows_it() {
+    let Some(folder) = case("07-selfcalibration-gear-5-percent-camera") else { return };
+    for data in ["data.csv", "right-gear.csv"] {
+        let run = cdpr_in(folder.path(), &format!("select robot.toml {data} --format json"));
+        let answer = run.json();
+        assert_ne!(answer["status"], "recommended", "{data}: {}", answer["reason"]);
+        let warnings = answer["warnings"].to_string();
+        assert!(warnings.contains("a common scale of the recorded lengths"), "{data}: {warnings}");
+        assert!(warnings.contains("measure the distance"), "{data}: {warnings}");
+        for candidate in answer["candidates"].as_array().unwrap() {
+            let told = candidate["pose_band_m"].as_f64().unwrap();
+            assert!(told > 0.01, "{data}: {} has a band of {told} m", candidate["name"]);
+        }
+    }
+    let run = cdpr_in(folder.path(), "identify robot.toml data.csv --free length-offset --format json");
+    let answer = run.json();
+    assert!(answer["warnings"].to_string().contains("a common scale of the recorded lengths"), "{answer}");
+    // an accuracy that is stated is no assumption
+    let stated = "identify robot.toml data.csv --free length-offset --sigma length_scale=0.05 --format json";
+    let run = cdpr_in(folder.path(), stated);
+    let told = run.json()["warnings"].to_string();
+    assert!(told.contains("stated: 5 %") && run.exit_code == 1, "{told}");
+}

@@ -54,6 +54,9 @@ pub struct SensorSigmas {
     /// Swivel angle of a pulley (rad).
     #[serde(rename = "swivel_rad", skip_serializing_if = "Option::is_none")]
     pub swivel: Option<f64>,
+    /// Factor that all recorded lengths may have in common (gear, spool, tape), as a share of it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub length_scale: Option<f64>,
 }
 
 /// Data sets that cannot be used, or not together.

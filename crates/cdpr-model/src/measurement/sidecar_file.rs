@@ -26,6 +26,7 @@ impl Sidecar {
             ("length_m", sigmas.length),
             ("tension_N", sigmas.tension),
             ("swivel_rad", sigmas.swivel),
+            ("length_scale", sigmas.length_scale),
         ] {
             if let Some(value) = value.filter(|value| !(*value >= 0.0)) {
                 let message = format!("a standard deviation is 0 or more, found {value}");

@@ -137,6 +137,7 @@ impl Samples {
                 .zip(self.tensions.as_deref())
                 .and_then(|(mean, all)| of_cables(mean, all)),
             swivel: None,
+            length_scale: None,
         }
     }
 }

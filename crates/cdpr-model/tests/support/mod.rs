@@ -19,6 +19,7 @@ pub(crate) const NOISE: SensorSigmas = SensorSigmas {
     length: Some(0.0002),
     tension: Some(50.0),
     swivel: None,
+    length_scale: None,
 };
 
 pub(crate) fn builtin(name: &str) -> Robot {

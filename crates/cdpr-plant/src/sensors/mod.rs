@@ -74,6 +74,7 @@ impl Sensors {
             length: known(sigmas.length),
             tension: known(sigmas.tension),
             swivel: known(sigmas.swivel),
+            length_scale: None,
         };
         Ok(Self { records, sigmas })
     }

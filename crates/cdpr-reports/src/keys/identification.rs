@@ -1,14 +1,16 @@
 //! Identified models, with and without measured poses.
 
 use cdpr_calibration::fit::Fit;
-use cdpr_calibration::{Comparison, ErrorBlocks, GaugeFixing, ObjectiveValues, SelfCalibration, SensorFit};
+use cdpr_calibration::{
+    Comparison, ErrorBlocks, GaugeFixing, ObjectiveValues, PredictedBand, SelfCalibration, SensorFit,
+};
 use cdpr_model::reading::Keyword;
 use cdpr_study::{Identification, JudgedOptimum, OptimumOf};
 use serde::Serialize;
 
 use super::adapters::keys;
 use super::fit::{FitKeys, PoselessFitKeys};
-use super::{AccuracyKeys, Each, ErrorBlockKeys, Maybe, PoseErrorKeys};
+use super::{AccuracyKeys, Each, ErrorBlockKeys, Maybe, PoseErrorKeys, PredictedBandKeys};
 
 /// Fit with the errors that judge it.
 #[derive(Serialize)]
@@ -47,6 +49,8 @@ pub(crate) struct SelfCalibrationKeys {
     sensors: Vec<SensorFit>,
     #[serde(with = "GaugeFixingKeys")]
     gauge: GaugeFixing,
+    #[serde(flatten, with = "Maybe::<PredictedBandKeys>")]
+    band: Option<PredictedBand>,
 }
 
 keys! {

@@ -29,7 +29,7 @@ pub(crate) use parameters::{
 };
 pub(crate) use robot::FindingKeys;
 pub(crate) use run::{EnergyKeys, SlackKeys, ViolationKeys};
-pub(crate) use selection::{CoverageKeys, JudgementKeys, PreferenceKeys};
+pub(crate) use selection::{CoverageKeys, JudgementKeys, PredictedBandKeys, PreferenceKeys};
 pub(crate) use statics::{DisplacementKeys, ExtentKeys, InfeasibilityKeys, JudgedMapKeys};
 pub(crate) use study::{
     AccuracyKeys, BeyondKeys, BranchesKeys, DifferenceKeys, ForceTrackingKeys, HistoryKeys, SummaryKeys,

@@ -2,7 +2,7 @@
 
 use cdpr_calibration::fit::Fit;
 use cdpr_calibration::selection::{HeldOut, Judgement, Preference, RequirementOutcome};
-use cdpr_calibration::{Coverage, ErrorBlocks, Information, NoiseSource, PoseRange};
+use cdpr_calibration::{Coverage, ErrorBlocks, Information, NoiseSource, PoseRange, PredictedBand};
 use schemars::JsonSchema;
 use serde::Serialize;
 
@@ -137,6 +137,10 @@ pub(crate) struct JudgementKeys {
     difference_standard_error_m: Option<f64>,
     /// Mean position error as a fraction of the diagonal of the validation positions (eq. 3.5).
     relative_position_error: Option<f64>,
+    /// Bands of predicted poses, where no pose is measured.
+    #[serde(flatten, with = "Maybe::<PredictedBandKeys>")]
+    #[schemars(with = "Option<PredictedBandKeys>")]
+    pose_band: Option<PredictedBand>,
     /// Criterion on regions left out, where they were asked for.
     #[serde(rename = "leave_region_out", with = "Maybe::<HeldOutKeys>", skip_serializing_if = "Option::is_none")]
     regions: Option<HeldOut>,
@@ -202,7 +206,30 @@ fn warnings(judgement: &Judgement) -> Vec<String> {
     judgement.fit.outlier_warning.iter().chain(&judgement.fit.warnings).cloned().collect()
 }
 
+/// Bands of the poses that a robot predicts which was calibrated without measured poses: root mean squares over the sampled poses.
+#[derive(Serialize, JsonSchema)]
+#[serde(remote = "PredictedBand")]
+#[schemars(rename = "PredictedBand", transform = nullable_numbers)]
+pub(crate) struct PredictedBandKeys {
+    /// By free parameters.
+    #[serde(rename = "pose_band_by_parameters_m")]
+    by_parameters_m: f64,
+    /// By held numbers within their accuracies.
+    #[serde(rename = "pose_band_by_held_m")]
+    by_held_m: f64,
+    /// Both.
+    #[serde(rename = "pose_band_m")]
+    band_m: f64,
+    /// The largest at a sampled pose.
+    #[serde(rename = "pose_band_max_m")]
+    largest_m: f64,
+    /// Diagonal of the box of the sampled positions.
+    #[serde(rename = "sampled_diagonal_m")]
+    diagonal_m: f64,
+}
+
 tables!(
+    PredictedBandKeys: PredictedBand,
     PoseRangeKeys: PoseRange,
     PreferenceKeys: Preference,
     RequirementKeys: RequirementOutcome,

@@ -150,6 +150,7 @@ fn study(robot: &Robot, rules: &BenchmarkRules) -> Study {
             length: Some(rules.length_m),
             tension: Some(rules.tension_share * largest),
             swivel: None,
+            length_scale: None,
         }),
         history: None,
         tolerances: None,

@@ -128,6 +128,7 @@ fn a_sagging_machine_is_identified_by_a_sagging_model() {
         length: Some(2e-4),
         tension: Some(50.0),
         swivel: None,
+        length_scale: None,
     };
     let mut start = truth.clone();
     for (index, cable) in start.cables.iter_mut().enumerate() {

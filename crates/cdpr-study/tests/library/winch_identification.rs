@@ -49,8 +49,13 @@ fn in_sigmas(found: &Fit, truth: &Robot) -> Vec<f64> {
 fn wrong_drums_are_found_with_honest_standard_deviations() {
     let drawn = with_drums(&simulator());
     let built = as_built(&drawn);
-    let noise =
-        SensorSigmas { position: Some(5e-4), rotation: Some(5e-4), length: Some(1e-4), tension: None, swivel: None };
+    let noise = SensorSigmas {
+        position: Some(5e-4),
+        rotation: Some(5e-4),
+        length: Some(1e-4),
+        tension: None,
+        ..SensorSigmas::default()
+    };
     let mut all = Vec::new();
     for seed in 1..=10 {
         let samples = recorded(&built, DRUM, 100, &noise, seed);
@@ -122,6 +127,7 @@ fn is_found(drawn: &Robot, composition: Composition, (kind, size): (ParameterKin
         length: Some(5e-5),
         tension: Some(5.0),
         swivel: None,
+        length_scale: None,
     };
     let samples = recorded(&built, composition, count, &noise, 7);
     let found = identified(drawn, composition, kind.name(), &samples);

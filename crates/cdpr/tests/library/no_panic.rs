@@ -238,8 +238,13 @@ fn learn(model: &Model, input: &Input, pose: &Pose, sigmas: &[f64; 4]) {
     let m = model.cable_count();
     let mut samples = Samples { cable_count: m, tensions: Some(Vec::new()), ..Samples::default() };
     let stated = |k: usize| (sigmas[k] > 1.0).then_some(sigmas[k]);
-    samples.sigmas =
-        SensorSigmas { position: stated(0), rotation: stated(1), length: stated(2), tension: stated(3), swivel: None };
+    samples.sigmas = SensorSigmas {
+        position: stated(0),
+        rotation: stated(1),
+        length: stated(2),
+        tension: stated(3),
+        ..SensorSigmas::default()
+    };
     for k in 0..6 {
         let shift = Twist::new(0.1 * f64::from(k), -0.05 * f64::from(k), 0.02 * f64::from(k * k), 0.0, 0.01, 0.0);
         samples.poses.push(pose.displaced(&shift));

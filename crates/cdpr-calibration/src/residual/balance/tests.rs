@@ -157,6 +157,7 @@ fn exact_samples(machine: &Model, count: usize) -> Samples {
         length: Some(2e-4),
         tension: Some(50.0),
         swivel: None,
+        length_scale: None,
     };
     samples
 }

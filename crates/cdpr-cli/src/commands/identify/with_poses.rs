@@ -20,8 +20,9 @@ pub(super) fn run(arguments: &Arguments, model: &Model, output: &mut Output) -> 
     if let Some(option) = arguments.frame.asked().or(arguments.out_poses.as_ref().map(|_| "--out-poses")) {
         return Err(poses_are_there(&arguments.data.name(), option));
     }
-    let samples = screen(arguments.data.read(model, output)?, model, output);
+    let samples = arguments.data.read(model, output)?;
     samples.check().map_err(|error| Failure::refused(&arguments.data.name(), &error))?;
+    let samples = screen(samples, model, output);
     let read_other = |path: &PathBuf| -> Result<Samples, Failure> {
         let other = screen(arguments.data.read_other(path, model, output)?, model, output);
         unseen(&samples, other, path, output)
