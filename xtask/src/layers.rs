@@ -12,7 +12,7 @@ const LIBRARIES: &[Library] = &[
     Library {
         folder: "crates/cdpr-model",
         rooms: &[
-            &["notation", "scalar", "reading"],
+            &["finding", "notation", "scalar", "reading"],
             &["geometry", "solve"],
             &["robot"],
             &["measurement"],

@@ -43,7 +43,10 @@ pub(super) fn choose_by_band(selection: &mut Selection) {
     };
     let bands: Vec<Option<f64>> = (0..selection.candidates.len()).map(band).collect();
     let Some(narrowest) = bands.iter().flatten().copied().min_by(f64::total_cmp) else { return };
-    let is_as_good = |own: &Option<f64>| own.is_some_and(|own| own <= AS_GOOD * narrowest);
+    // what lengths themselves err by tells no bands apart
+    let of_lengths = judged(best).map_or(0.0, |best| best.validation.length_error_m.mean_abs).max(0.0);
+    let widest = (AS_GOOD * narrowest).max(narrowest + of_lengths);
+    let is_as_good = |own: &Option<f64>| own.is_some_and(|own| own <= widest);
     let Some(chosen) = bands.iter().position(is_as_good) else { return };
     let told = bands[simplest].zip(bands[chosen]);
     if let Some((of_simplest, of_chosen)) = told.filter(|_| chosen != simplest) {
