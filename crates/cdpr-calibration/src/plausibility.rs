@@ -60,7 +60,7 @@ struct Sampled {
     scatter: f64,
 }
 
-/// What the samples themselves say of their size and noise; `None` for a single position.
+/// Size and noise of the samples by themselves; `None` for a single position.
 fn sampled(model: &Model, samples: &Samples) -> Option<Sampled> {
     let diagonal = diagonal(|| samples.poses.iter().map(|pose| pose.position));
     if !(diagonal > 0.0) {

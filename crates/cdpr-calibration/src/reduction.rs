@@ -123,7 +123,7 @@ fn of_path(model: &Model, parameters: &[Parameter], path: &PenaltyPath) -> Optio
     let (left, kept) = (of(&left), of(&kept));
     let nominal = model.with_parameters(&left, &centres)?;
     let reason = format!(
-        "{} of {} parameters leave the path at the largest penalty whose held-out error is within one standard error of the best (λ = {:.*})",
+        "{} of {} parameters leave the path at the largest penalty that is as good as the best on the samples held out (λ = {:.*})",
         left.len(),
         parameters.len(),
         decimals(2.0, chosen.lambda),

@@ -20,7 +20,7 @@ const SHUFFLED: f64 = 0.1;
 pub struct Screened {
     /// The samples that are used, in the order of their times where the rows were shuffled.
     pub samples: Samples,
-    /// What was found.
+    /// Findings about the others.
     pub findings: Vec<Finding>,
 }
 
@@ -50,9 +50,15 @@ pub fn screened(robot: &Robot, samples: &Samples) -> Screened {
         findings.push(at(samples, *first, found));
     }
     let mut left_out = repeats;
-    for stuck in stuck(robot, samples) {
-        findings.push(stuck.finding(samples));
-        left_out.extend(stuck.first..stuck.end);
+    let stuck = stuck(robot, samples);
+    let mut spoilt: Vec<usize> = stuck.iter().flat_map(|stuck| stuck.first..stuck.end).collect();
+    spoilt.sort_unstable();
+    spoilt.dedup();
+    // winches that stand still for most of a record are no fault of a row
+    let are_left_out = 2 * spoilt.len() < samples.len();
+    findings.extend(stuck.iter().map(|stuck| stuck.finding(samples, are_left_out)));
+    if are_left_out {
+        left_out.extend(spoilt);
     }
     left_out.sort_unstable();
     kept.retain(|sample| left_out.binary_search(sample).is_err());
@@ -110,15 +116,20 @@ struct Stuck {
 }
 
 impl Stuck {
-    fn finding(&self, samples: &Samples) -> Finding {
+    fn finding(&self, samples: &Samples, is_left_out: bool) -> Finding {
         let value = samples.lengths_of(self.first)[self.cable];
         let text = format!(
-            "cable {} reads {:.4} m in all rows from {} to {} though the poses move its anchors by {} mm: a stuck sensor; these rows are left out",
+            "cable {} reads {:.4} m in all rows from {} to {} though the poses move its anchors by {} mm: {}",
             self.cable + 1,
             value,
             place(samples, self.first),
             place(samples, self.end - 1),
-            three_digits(1e3 * self.moved)
+            three_digits(1e3 * self.moved),
+            if is_left_out {
+                "a stuck sensor; these rows are left out"
+            } else {
+                "a sensor that does not work, or winches that stand still"
+            }
         );
         let found = Finding::new(FindingKind::Stuck, Severity::Caution, text).of_cable(self.cable).of_size(value, "m");
         at(samples, self.first, found)

@@ -64,12 +64,12 @@ pub struct Selection {
     pub frames: Option<String>,
     /// Priors that nobody stated.
     pub assumed: Vec<Prior>,
-    /// What data, numbers and statics deny of the candidate of [`Selection::shown`].
+    /// Findings about the candidate of [`Selection::shown`], by data, numbers and statics.
     pub findings: Vec<Finding>,
 }
 
 impl Selection {
-    /// What data, numbers and statics deny of the candidate shown.
+    /// Findings about the candidate shown.
     fn examined(
         &self,
         given: &Robot,

@@ -39,7 +39,7 @@ pub enum DoubtKind {
     OutliersCounted,
     /// Outliers that count less or not at all.
     OutliersLeftOut,
-    /// What data, numbers or statics deny; the finding says how much it weighs.
+    /// Finding of data, numbers or statics, which says how much it weighs.
     Found(Severity),
     /// Poses that need the frame of a tracker or a marker.
     Frames,

@@ -1,4 +1,4 @@
-//! What speaks against an answer: a kind of a closed list, where it lies, and how much it weighs.
+//! Findings, which speak against an answer: a kind of a closed list, where it lies, and how much it weighs.
 
 use std::fmt;
 
@@ -99,7 +99,7 @@ impl fmt::Display for FindingKind {
     }
 }
 
-/// How much a finding weighs, from least to most.
+/// Weight of a finding, from least to most.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
 pub enum Severity {
     /// Worth knowing; the answer stands.
@@ -126,7 +126,7 @@ impl Severity {
 pub struct Finding {
     /// Its kind.
     pub kind: FindingKind,
-    /// How much it weighs.
+    /// Its weight.
     pub severity: Severity,
     /// The cable it is about, counted from 0; `None` if it is about several or none.
     pub cable: Option<usize>,

@@ -47,7 +47,7 @@ pub struct Identification {
     pub frame_warning: Option<String>,
     /// Validation samples that no error counts, in words.
     pub set_aside_warning: Option<String>,
-    /// What data, numbers and statics deny of the fit.
+    /// Findings about the fit, by data, numbers and statics.
     pub findings: Vec<Finding>,
 }
 
@@ -109,7 +109,7 @@ pub fn identify(
     })
 }
 
-/// What the samples of the fit and those that judge it, the file's numbers and statics deny of the fit.
+/// Findings about the fit by its samples and those that judge it, by the file's numbers and statics.
 fn examined(model: &Model, samples: &Samples, other: Option<&Samples>, fit: &Fit, position_error: f64) -> Vec<Finding> {
     let joined = other.and_then(|other| samples.followed_by(other).ok());
     let held_out: Vec<usize> = joined.as_ref().map_or_else(Vec::new, |all| (samples.len()..all.len()).collect());

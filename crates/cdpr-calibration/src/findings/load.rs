@@ -1,6 +1,6 @@
 //! Statics as a witness: the load that recorded tensions balance, and whether cables that only pull can hold the platform at the measured poses.
 
-use super::Examined;
+use super::examined::Examined;
 use super::numbers::unit_factor;
 use super::residual_table::median;
 use crate::screening::place;
@@ -31,7 +31,7 @@ const LARGEST_TENSION: f64 = 100.0;
 /// Loads along gravity that the tensions of every sample balance (N).
 struct Weighed {
     of_samples: Vec<f64>,
-    /// That of the robot's file (N); `None` where it states none, or only assumes it.
+    /// Load of the robot's file (N); `None` where it states none, or only assumes it.
     stated: Option<f64>,
 }
 
@@ -79,7 +79,7 @@ fn weight_of(robot: &Robot) -> Option<f64> {
     (weight > 0.0).then_some(weight)
 }
 
-/// What the loads tell.
+/// Findings about the load.
 pub(super) fn findings(examined: &Examined<'_>) -> Vec<Finding> {
     let of_tensions = Weighed::of(examined);
     let parts = of_tensions

@@ -1,6 +1,6 @@
 //! Whether fitted numbers can be those of a robot.
 
-use super::Examined;
+use super::examined::Examined;
 use super::residual_table::median;
 use crate::fit::Estimate;
 use cdpr_model::finding::{Finding, FindingKind, Severity};
@@ -44,7 +44,7 @@ const STIFFNESS_WORD: f64 = 1.2;
 /// Standard deviations beyond which a difference is one.
 const SURE: f64 = 3.0;
 
-/// What a ratio makes think of where it is a factor between units, to a hundredth and this relative slack.
+/// Words for a ratio where it is a factor between units, to a hundredth and this relative slack.
 pub(super) fn unit_factor(ratio: f64, slack: f64) -> Option<&'static str> {
     let is_near = |factor: f64| (ratio / factor - 1.0).abs() <= OF_UNIT + slack;
     UNIT_FACTORS.iter().find(|(factor, _)| is_near(*factor)).map(|(_, words)| *words)

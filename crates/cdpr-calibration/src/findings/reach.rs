@@ -1,8 +1,8 @@
-//! Where the samples are, and what is known of the error elsewhere.
+//! Region of the samples, and the error to be expected elsewhere.
 
 use nalgebra::Vector3;
 
-use super::Examined;
+use super::examined::Examined;
 use cdpr_model::control::{CommandedPose, Operation, Status};
 use cdpr_model::finding::{Finding, FindingKind, Severity};
 use cdpr_model::geometry::Pose;

@@ -2,7 +2,7 @@
 
 use nalgebra::{DMatrix, DVector};
 
-use super::Examined;
+use super::examined::Examined;
 use crate::evaluation::evaluate_fitted;
 use cdpr_model::measurement::Samples;
 

@@ -2,7 +2,7 @@
 
 use nalgebra::{DVector, Matrix6, Vector6};
 
-use super::Examined;
+use super::examined::Examined;
 use super::residual_table::{CableResiduals, ResidualTable};
 use crate::autocorrelation::correlation_time;
 use crate::screening::place;
@@ -31,7 +31,7 @@ pub(crate) struct Scanned {
     pub(super) finding: Option<Finding>,
 }
 
-/// What may stand behind residuals.
+/// Cause that may stand behind residuals.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Cause {
     /// One cable's lengths change by a constant from a row on.
@@ -430,7 +430,7 @@ impl Search<'_> {
     }
 }
 
-/// What an explanation gains (m²), of which squares, by how many parameters and places.
+/// Gain of an explanation (m²), of which squares, by how many parameters and places.
 struct Explained {
     gain: f64,
     of: f64,
@@ -478,7 +478,7 @@ impl Cause {
         }
     }
 
-    /// What to ask, behind an explanation that stands alone.
+    /// Question behind an explanation that stands alone.
     fn question(self) -> &'static str {
         match self {
             Self::Step => ": was the cable clamped anew, or did it slip?",

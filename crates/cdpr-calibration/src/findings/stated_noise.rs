@@ -1,6 +1,6 @@
 //! Whether residuals are those of the stated accuracies.
 
-use super::Examined;
+use super::examined::Examined;
 use crate::loss::Loss;
 use cdpr_model::finding::{Finding, FindingKind, Severity};
 

@@ -15,7 +15,7 @@ const LEAST_ANSWERED: f64 = 0.95;
 /// The error of a sample by which candidates are compared.
 #[derive(Clone, Copy)]
 pub(super) enum Compared {
-    /// That of the criterion alone.
+    /// Error of the criterion alone.
     Criterion(SelectionCriterion),
     /// √(‖Δr‖² + (L Δθ)²), L the root mean square distance of the platform anchors from their origin (m).
     Pose(f64),

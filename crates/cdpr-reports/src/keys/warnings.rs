@@ -1,4 +1,4 @@
-//! What a reader has to know before using an answer.
+//! Warnings and findings, which a reader has to know before using an answer.
 
 use cdpr_calibration::Doubt;
 use cdpr_calibration::selection::Warnings;
@@ -11,7 +11,7 @@ use serde::{Serialize, Serializer};
 pub(crate) struct WarningKeys {
     /// Warnings for the reader, doubts about the outcome first.
     warnings: Vec<String>,
-    /// What speaks against the answer, the worst first.
+    /// Findings, the worst first.
     findings: Vec<FoundKeys>,
 }
 
