@@ -17,16 +17,17 @@ pub(super) struct Far {
 }
 
 impl Question<'_> {
-    /// Samples beyond 8 robust deviations by their residuals over the root of what poses and parameters leave of them.
+    /// Samples beyond 8 robust deviations by their residuals over the root of what poses and parameters leave of them; none where other sensors than lengths are rows,
+    /// of which a pose whose search ended on the way would be one.
     pub(super) fn far(&self, end: &Written) -> Vec<Far> {
+        if matches!(self.sensing, Sensing::All(..)) {
+            return Vec::new();
+        }
         let (size, samples) = (end.rows.size(), end.poses.len());
         let by_parameters = end.by_parameters();
         let left = |sample: usize| -> f64 {
             let rows = sample * size..(sample + 1) * size;
-            let by_pose: f64 = match &self.sensing {
-                Sensing::Lengths(_) => self.internal.known[sample].iter().filter(|known| !**known).count() as f64,
-                Sensing::All(..) => end.leverages[rows.clone()].iter().sum(),
-            };
+            let by_pose = self.internal.known[sample].iter().filter(|known| !**known).count() as f64;
             size as f64 - by_pose - by_parameters[rows].iter().sum::<f64>()
         };
         let judged: Vec<(usize, f64)> =

@@ -40,16 +40,16 @@ impl Written {
 
     /// Shares of the rows' residuals that poses and parameters take up.
     pub(super) fn all_leverages(&self) -> Vec<f64> {
-        self.leverages
-            .iter()
-            .zip(self.by_parameters())
-            .map(|(by_pose, by_parameters)| by_pose + by_parameters)
-            .collect()
+        self.added_to(self.leverages.clone())
     }
 
-    /// Share of each row's residual that the parameters take up.
+    /// Shares of the rows' residuals that the parameters take up.
     pub(super) fn by_parameters(&self) -> Vec<f64> {
-        let mut all = vec![0.0; self.rows.residuals.len()];
+        self.added_to(vec![0.0; self.rows.residuals.len()])
+    }
+
+    /// Shares of the rows with those that the parameters take up.
+    fn added_to(&self, mut all: Vec<f64>) -> Vec<f64> {
         let Some(found) = svd(self.rows.jacobian.clone(), true, false) else { return all };
         let largest = found.singular_values.amax();
         let directions = found.u.iter().flat_map(|u| u.column_iter()).zip(found.singular_values.iter());
