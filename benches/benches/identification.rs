@@ -28,13 +28,8 @@ fn main() {
     let (model, samples) = dense::problem();
     let free = "frame-anchor,platform-anchor".parse().expect("parameters");
     let settings = Settings { loss: Loss::Squared, ..Settings::default() };
-    let sigmas = SensorSigmas {
-        length: Some(2e-4),
-        position: Some(1.155e-3),
-        rotation: Some(1e-3),
-        tension: None,
-        swivel: None,
-    };
+    let sigmas =
+        SensorSigmas { length: Some(2e-4), position: Some(1.155e-3), rotation: Some(1e-3), ..SensorSigmas::default() };
     let weighted = Samples { sigmas, ..samples.clone() };
     let mut group = criterion.benchmark_group("identification 48 × 91");
     group.bench_function("optimum", |bencher| {

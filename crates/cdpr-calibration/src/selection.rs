@@ -153,7 +153,7 @@ impl InputError {
 }
 
 /// Identifies every candidate on the training part of each fold, judges it on the validation part, and recommends the
-/// first (simplest) one whose mean criterion lies within one standard error of the best and that meets the requirements.
+/// first (simplest) one that is as good as the best on the same samples and meets the requirements.
 ///
 /// Samples are outliers where the richest candidate that fits has them as such: what a simpler model does not explain is its misfit, not dirt.
 /// Frames of tracker and marker and the offset of the clocks are freed in every candidate where the richest one fits the data much better with them, if the settings try it.

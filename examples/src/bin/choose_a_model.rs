@@ -30,7 +30,7 @@ fn main() -> Result<(), Box<dyn std::error::Error>> {
         })
         .collect();
     let noise =
-        SensorSigmas { position: Some(1e-3), rotation: Some(1e-3), length: Some(2e-4), tension: None, swivel: None };
+        SensorSigmas { position: Some(1e-3), rotation: Some(1e-3), length: Some(2e-4), ..SensorSigmas::default() };
     let samples = simulate(&control, &machine, &[0.0; 8], &poses, &noise, 1)?.samples;
     // ANCHOR_END: measure
 

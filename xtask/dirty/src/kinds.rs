@@ -144,7 +144,7 @@ pub(crate) const KINDS: &[Kind] = &[
     kind("pasted-rows", Kinds(&["repeat"]), ALL, rows::pasted),
     kind(
         "validation-is-training",
-        Kinds(&["repeat", "data::validation-is-training"]),
+        Refusal(&["repeat"], "data::validation-is-training", &["training file"]),
         ALL,
         rows::validation_is_training,
     ),

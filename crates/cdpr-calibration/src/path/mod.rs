@@ -32,7 +32,7 @@ pub struct PenaltyPath {
     pub parameters: Vec<PathParameter>,
     /// Point with the least error on data held out, where a place of the path predicts any.
     pub best: Option<usize>,
-    /// Point of the largest penalty whose error is within one standard error of the best.
+    /// Point of the largest penalty that is as good as the best on the same samples.
     pub chosen: Option<usize>,
     /// Names of the parameters that stay at the centre at the chosen penalty.
     pub left: Vec<String>,

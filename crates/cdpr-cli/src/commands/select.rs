@@ -29,8 +29,8 @@ Examples:
 
 /// Identify candidate control models, judge each on data it was not fitted to, and recommend one.
 ///
-/// Recommended is the simplest candidate (the first of the list) whose error lies within one standard error of the best
-/// and that keeps every limit of --require, of those whose fit converged. The exit code is 1 when none does, and when the recommended one is not to be trusted.
+/// Recommended is the simplest candidate (the first of the list) that is as good as the best on the same samples
+/// and keeps every limit of --require, of those whose fit converged. The exit code is 1 when none does, and when the recommended one is not to be trusted.
 #[derive(Debug, Args)]
 #[command(after_help = EXAMPLES)]
 pub(crate) struct Arguments {

@@ -108,3 +108,120 @@ fn a_calibrated_robot_shows_angles_of_another_order() {
     let found = mix_ups::with_robot(&robot, &samples).unwrap();
     assert!(found.text.contains("R = Rz Ry Rx (roll–pitch–yaw)"), "{}", found.text);
 }
+
+/// One recorded answer of `select`: the folder, further options, exit code, status, and kind, cable (from 1), line and words of the first finding.
+struct Told {
+    case: &'static str,
+    options: &'static str,
+    exit_code: i32,
+    status: &'static str,
+    kind: &'static str,
+    cable: Option<u64>,
+    line: Option<u64>,
+    words: &'static str,
+}
+
+const fn told(
+    case: &'static str,
+    exit_code: i32,
+    status: &'static str,
+    kind: &'static str,
+    words: &'static str,
+) -> Told {
+    Told { case, options: "", exit_code, status, kind, cable: None, line: None, words }
+}
+
+/// What data, the file and physics deny is told first, with its place, and weighs in status and exit code.
+#[test]
+fn answers_that_data_and_statics_deny_say_so() {
+    let other = "--validation validation.csv";
+    let (caution, distrust) = ("recommended-with-caution", "not-trusted");
+    for expected in [
+        told("06-tensions-in-kgf", 1, distrust, "unit", "a newton is 0.102 kgf"),
+        told("08-file-pasted-twice", 0, "recommended", "repeat", "200 of 240 rows repeat others exactly"),
+        Told {
+            cable: Some(3),
+            line: Some(52),
+            ..told("10-cable-reclamped", 1, distrust, "step", "cable 3: +20.3 mm from line 52 on")
+        },
+        Told {
+            options: other,
+            ..told("11-payload-tripled-in-validation", 1, distrust, "load", "balance 147 N, those of the fit 49.0 N")
+        },
+        Told {
+            options: other,
+            line: Some(2),
+            ..told(
+                "12-other-day-offsets-10mm",
+                1,
+                distrust,
+                "offset",
+                "a constant each, 10.0 mm rms, in the validation data",
+            )
+        },
+        told("13-corner", 0, caution, "coverage", "the samples span 0.1 % of the workspace of the robot file"),
+        Told {
+            cable: Some(4),
+            line: Some(42),
+            ..told("15-encoder-stuck", 0, caution, "stuck", "from line 42 to line 71")
+        },
+        told("16-zyx-euler", 0, caution, "rotation-convention", "roll–pitch–yaw"),
+        told("22-mirrored-camera", 1, distrust, "mirror", "x, y, −z of the data"),
+        Told { cable: Some(6), ..told("26-cable-never-taut", 1, distrust, "slack", "does it hang slack") },
+    ] {
+        let Some(folder) = case(expected.case) else { return };
+        let run = cdpr_in(folder.path(), &format!("select robot.toml data.csv {} --format json", expected.options));
+        let answer = run.json();
+        let first = &answer["findings"][0];
+        assert_eq!(
+            (run.exit_code, &answer["status"]),
+            (expected.exit_code, &expected.status.into()),
+            "{}: {first}",
+            expected.case
+        );
+        assert_eq!(
+            (&first["kind"], first["cable"].as_u64()),
+            (&expected.kind.into(), expected.cable),
+            "{}: {first}",
+            expected.case
+        );
+        assert!(
+            expected.line.is_none_or(|line| first["line"].as_u64().unwrap().abs_diff(line) <= 2),
+            "{}: {first}",
+            expected.case
+        );
+        assert!(first["text"].as_str().unwrap().contains(expected.words), "{}: {first}", expected.case);
+        assert!(answer["warnings"].as_array().unwrap().contains(&first["text"]), "{}", expected.case);
+    }
+}
+
+/// Clean data raise nothing, candidates are compared on the same samples, and the error of a prediction is held against what lengths and tracker allow.
+#[test]
+fn clean_and_noisy_data_get_the_right_model() {
+    let anchors_and_offsets = "standard:frame-anchor,length-offset";
+    for (name, options, recommended) in [
+        ("20-clean-wall-plotter-false-alarm", "", anchors_and_offsets),
+        ("23-underconstrained-clean-false-alarm", "--validation validation.csv", "standard:frame-anchor"),
+        ("25-noisy-tracker-underfit", "", anchors_and_offsets),
+        ("29-frame-anchor-sigma", "--validation validation.csv", anchors_and_offsets),
+    ] {
+        let Some(folder) = case(name) else { return };
+        let run = cdpr_in(folder.path(), &format!("select robot.toml data.csv {options} --format json"));
+        let answer = run.json();
+        assert_eq!((run.exit_code, &answer["status"]), (0, &"recommended".into()), "{name}: {}", answer["warnings"]);
+        assert_eq!(answer["recommended"], recommended, "{name}: {}", answer["reason"]);
+        assert_eq!(answer["findings"], serde_json::json!([]), "{name}");
+    }
+    let Some(folder) = case("27-validation-is-training") else { return };
+    let run = cdpr_in(folder.path(), "select robot.toml data.csv --validation data.csv");
+    assert!(run.exit_code == 2 && run.stderr.contains("the validation file is the training file"), "{}", run.stderr);
+    // what offsets would explain is taken up by anchors, whose deviations are then too small
+    let Some(folder) = case("29-frame-anchor-sigma") else { return };
+    let fit = cdpr_in(folder.path(), "identify robot.toml data.csv --free frame-anchor --format json").json();
+    assert_eq!(
+        (&fit["status"], &fit["findings"][0]["kind"]),
+        (&"converged-with-caution".into(), &"lack-of-fit".into()),
+        "{}",
+        fit["warnings"]
+    );
+}

@@ -42,7 +42,7 @@ pub struct PathChoice {
     pub held_out: String,
     /// λ of the least error.
     pub best_lambda: Option<f64>,
-    /// Largest λ within one standard error of it.
+    /// Largest λ that is as good on the same samples.
     pub chosen_lambda: Option<f64>,
     /// Parameters that stay at the centre there.
     pub left: Vec<String>,
@@ -117,7 +117,7 @@ impl PathAnswer {
         let point = &self.path[chosen];
         let (count, all) = (point.parameter_count, self.path_parameters.len());
         let mut text = format!(
-            "chosen: λ = {} {}, the largest within one standard error of the best: {}\n",
+            "chosen: λ = {} {}, the largest that is as good as the best on the same samples: {}\n",
             condition(point.lambda),
             self.unit(),
             match *penalty {

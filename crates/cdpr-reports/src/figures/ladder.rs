@@ -25,7 +25,7 @@ pub struct Rung {
 pub struct Ladder {
     /// The candidates from simple to complex.
     pub rungs: Vec<Rung>,
-    /// Best value plus one standard error.
+    /// Value of the best candidate.
     pub limit: f64,
     /// The same in words.
     pub limit_words: String,
@@ -77,12 +77,12 @@ impl Ladder {
             recommended: recommended == Some(place),
         };
         let best = best.and_then(|best| Some((candidates[best].1?, candidates[best].2.unwrap_or(0.0))));
-        let limit = best.map(|(value, error)| value + error);
-        let words = best.map(|(value, error)| within(criterion, value + error, error)).unwrap_or_default();
+        let limit = best.map(|(value, _)| value);
+        let words = best.map(|(value, error)| within(criterion, value, error)).unwrap_or_default();
         Self {
             rungs: candidates.iter().enumerate().map(rung).collect(),
             limit: shown(limit),
-            limit_words: format!("best + one standard error: {words}"),
+            limit_words: format!("best: {words}"),
             axis_label: format!("{criterion} on {data_words} in {}", criterion.unit()),
         }
     }
@@ -248,7 +248,7 @@ mod tests {
         let ladder = Ladder::of(SelectionCriterion::Position, "validation data", &candidates, [Some(1), Some(1)]);
         for figure in [ladder.svg().unwrap(), ladder.narrow_svg().unwrap()] {
             assert!(figure.body.contains("in mm, logarithmic"), "{}", figure.body);
-            assert!(figure.body.contains("best + one standard error: 4.30 mm"), "{}", figure.body);
+            assert!(figure.body.contains("best: 4.00 mm"), "{}", figure.body);
         }
         assert_eq!(ladder.svg().unwrap().body.matches("class=\"limit\"").count(), 1);
     }

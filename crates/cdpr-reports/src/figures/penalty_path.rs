@@ -122,7 +122,7 @@ impl PathCurves {
         }
         if self.marked.is_some() {
             drawing.line("limit", (left, 16.0), (left + 26.0, 16.0));
-            drawing.text("tick", Anchor::Start, (left + 32.0, 20.0), "chosen: one standard error");
+            drawing.text("tick", Anchor::Start, (left + 32.0, 20.0), "chosen: as good as the best");
             drawing.circle("dot bad", (left + 214.0, 16.0), 3.5, "");
             drawing.text("tick", Anchor::Start, (left + 222.0, 20.0), "least held-out error");
         }

@@ -46,7 +46,7 @@ impl FrameArguments {
 #[derive(Clone, Debug, Args)]
 pub(super) struct PathArguments {
     /// Follow a penalty on the free parameters from one that holds them all down to none: ridge, lasso (parameters leave one by one) or group-lasso
-    /// (whole anchors leave). λ is chosen by cross-validation with the rule of one standard error, on --split, --validation or five blocks.
+    /// (whole anchors leave). λ is the largest that is as good as the best on the same samples held out, by --split, --validation or five blocks.
     #[arg(long, value_name = "PENALTY", value_parser = keyword::<Penalty>())]
     pub(super) path: Option<Penalty>,
 
