@@ -53,6 +53,10 @@ export interface Candidate {
   condition_scaled?: number | null;
   /** Mean error by which candidates are compared (SI); null for a candidate that cannot be judged by it. */
   criterion?: number | null;
+  /** Difference of the errors to those of the best candidate on the same samples, by which candidates are compared (m); null where these errors are no distances, or the candidate is not compared. */
+  difference_m?: number | null;
+  /** Standard error of the difference. */
+  difference_standard_error_m?: number | null;
   /** Reason against judging the candidate. */
   disqualified?: string | null;
   /** Reasons not to trust the candidate. */
@@ -241,7 +245,7 @@ export interface FinalState {
   velocity_m_s: number[];
 }
 
-/** Something that speaks against the answer; `cdpr explain finding::KIND` says what the kind means. */
+/** Reason to doubt the answer; `cdpr explain finding::KIND` says what the kind means. */
 export interface Finding {
   /** Cable, counted from 1; null if it is about several or none. */
   cable: number | null;
@@ -604,7 +608,7 @@ export interface Selection {
   criterion: string;
   /** Source of the samples. */
   data: string;
-  /** What speaks against the answer, the worst first. */
+  /** Findings, the worst first. */
   findings: Finding[];
   gauge?: Gauge;
   marker_frame?: FrameEstimate | null;
