@@ -113,12 +113,13 @@ pub(super) fn analyse(
         plain_values.extend(singular_values(plain.clone()).into_iter().take(told));
         scaled_values.extend(singular_values(with_unit_columns(plain)).into_iter().take(told));
 
-        let time = typical_time(group, norms);
+        let times = correlation_times(group, norms);
+        let time = typical(&times);
         longest_time = longest_time.max(time);
         let priors = prior_weights(parameters, settings);
         let mut weighted = group.weighted.clone();
         weighted.push_diagonal(priors.iter().map(|weight| weight.sqrt()));
-        let correlated = (time > 1.0).then(|| correlated_information(group, norms));
+        let correlated = (time > 1.0).then(|| correlated_information(group, &times));
         let uncertainty = Uncertainty::new(&spectrum(weighted), noise.inflation, &priors, correlated.as_ref());
         analysis.undetermined += uncertainty.undetermined;
         rows.extend(uncertainty.correlation_rows(rows.len()));
@@ -147,39 +148,44 @@ pub(super) fn analyse(
     analysis
 }
 
-/// Median of the correlation times of a group's rows; outliers say as little of correlation as of parameters.
-fn typical_time(group: &GroupRows, norms: &Norms) -> f64 {
+/// Correlation times of a group's rows; outliers say as little of correlation as of parameters.
+fn correlation_times(group: &GroupRows, norms: &Norms) -> Vec<f64> {
     let time = |series: &Vec<f64>| {
         let mut series = series.clone();
         norms.weigh(&mut series);
         correlation_time(&series)
     };
-    let mut times: Vec<f64> = group.series.iter().map(time).collect();
+    group.series.iter().map(time).collect()
+}
+
+/// The median.
+fn typical(times: &[f64]) -> f64 {
+    let mut times = times.to_vec();
     times.sort_by(f64::total_cmp);
     times[times.len() / 2]
 }
 
 /// Jᵀ C J of the rows in units of their noise, C the correlation of each row's series: a first-order autoregression with its correlation time.
-fn correlated_information(group: &GroupRows, norms: &Norms) -> DMatrix<f64> {
-    let columns = group.weighted_rows.ncols();
-    let kinds = group.series.len();
+fn correlated_information(group: &GroupRows, times: &[f64]) -> DMatrix<f64> {
+    let (columns, kinds) = (group.weighted_rows.ncols(), times.len());
+    let samples = group.weighted_rows.nrows() / kinds.max(1);
     let mut information = DMatrix::zeros(columns, columns);
-    for (kind, series) in group.series.iter().enumerate() {
-        let mut weighed = series.clone();
-        norms.weigh(&mut weighed);
-        let time = correlation_time(&weighed);
+    let mut half = DMatrix::zeros(samples, columns);
+    for (kind, time) in times.iter().enumerate() {
         let correlation = (time - 1.0) / (time + 1.0);
-        let own = group.weighted_rows.rows_with_step(kind, series.len(), kinds - 1).into_owned();
-        // Σ ρᵏ of the rows k behind, from the last row on
-        let mut behind = DMatrix::zeros(series.len(), columns);
-        for sample in (0..series.len().saturating_sub(1)).rev() {
-            let sum = (own.row(sample + 1) + behind.row(sample + 1)) * correlation;
-            behind.set_row(sample, &sum);
+        let own = group.weighted_rows.rows_with_step(kind, samples, kinds - 1);
+        for column in 0..columns {
+            // Σ ρᵏ of the rows k behind, from the last row on
+            let mut behind = 0.0;
+            for sample in (0..samples).rev() {
+                let entry = own[(sample, column)];
+                half[(sample, column)] = 0.5 * entry + behind;
+                behind = correlation * (entry + behind);
+            }
         }
-        let crossed = own.tr_mul(&behind);
-        information += own.tr_mul(&own) + &crossed + crossed.transpose();
+        information += own.tr_mul(&half);
     }
-    information
+    &information + information.transpose()
 }
 
 /// Warning about residuals that repeat each other, of several cables by up to so much.

@@ -38,7 +38,9 @@ struct Weighed {
 impl Weighed {
     /// `None` without tensions, without gravity, or where the tensions are too large beside the load to tell it.
     fn of(examined: &Examined<'_>) -> Option<Self> {
-        let Examined { given, samples, .. } = *examined;
+        let given = examined.given;
+        // in the robot's frame
+        let samples = &examined.fit.as_fitted(examined.samples);
         let tensions = samples.tensions.as_ref()?;
         let down = given.gravity?.try_normalize(0.0)?;
         let model = Model::new(given.clone(), Composition::STANDARD).ok()?;

@@ -42,7 +42,7 @@ pub(super) fn finding(examined: &Examined<'_>) -> Option<Finding> {
     }
     let elsewhere = error_elsewhere(examined, &(low, high), &samples.poses);
     let told = elsewhere.filter(|error| *error > FARTHER_OFF * examined.position_error.max(1e-4));
-    let is_unknown = elsewhere.is_none();
+    let is_unknown = elsewhere.is_none() && robot.travel.is_some();
     (told.is_some() || is_unknown).then(|| {
         let error = match told {
             Some(error) => format!(

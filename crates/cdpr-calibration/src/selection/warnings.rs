@@ -123,9 +123,9 @@ impl Selection {
             Some((self.candidates[given].name.as_str(), [&judged(given)?.validation, &judgement.validation]))
         });
         let mut of_data = of_data.clone();
+        of_data.doubt(DoubtKind::Frames, self.frames.clone());
         of_data.doubts.extend(self.findings.iter().cloned().map(Doubt::from));
         of_data.doubts.extend(self.unsound(judgement));
-        of_data.doubt(DoubtKind::Frames, self.frames.clone());
         for prior in &self.assumed {
             of_data.doubt(DoubtKind::Prior, beyond(prior, &judgement.fit));
         }

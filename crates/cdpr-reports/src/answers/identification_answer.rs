@@ -71,8 +71,8 @@ pub struct Told {
 impl IdentificationAnswer {
     /// The answer about a model, with its warnings behind those told about the data.
     pub fn new(model: &Model, found: Identification, objective: ObjectiveAnswer, mut told: Told) -> Self {
-        told.warnings.doubts.extend(found.findings.iter().cloned().map(Doubt::from));
         told.warnings.doubt(DoubtKind::Frames, found.frame_warning.clone());
+        told.warnings.doubts.extend(found.findings.iter().cloned().map(Doubt::from));
         told.warnings.remarks.extend(found.set_aside_warning.clone());
         let before = found.validation_before.unwrap_or(found.train_before);
         let after = found.validation.unwrap_or(found.train);
