@@ -212,7 +212,7 @@ fn text_json_and_page_tell_the_same_warnings_and_the_verdict_has_their_colour() 
     swapped.sigmas.position = Some(1e-3);
     swapped.lengths.chunks_mut(8).for_each(|lengths| lengths.swap(2, 4));
     for (samples, class, first) in
-        [(clean, "good", "column"), (dirty, "warned", "outliers: 2 of"), (swapped, "bad", "not to be trusted")]
+        [(clean, "good", "column"), (dirty, "warned", "outliers: 2 of"), (swapped, "bad", "the cables look permuted")]
     {
         let selection = selected(&robot, &samples, "standard;standard:length-offset", &[]);
         let folds = fifths(samples.len());
