@@ -38,7 +38,7 @@ impl Distrust {
 /// measured), is no error of a model but of its data, of the robot file, or of what the model leaves out. Nor is one to be trusted that predicts less than half
 /// of the poses, though the robot has as many cables as degrees of freedom.
 ///
-/// What the stated accuracy of the lengths makes of a predicted pose belongs to the accuracy of the prediction: robots with few cables, or near a singularity, turn
+/// Errors of a predicted pose that follow from the stated accuracy of the lengths belong to the accuracy of the prediction: robots with few cables, or near a singularity, turn
 /// it into much more than what the tracker errs.
 pub fn distrust(robot: &Robot, model: &Model, samples: &Samples, errors: &ErrorBlocks) -> Distrust {
     judged(&Judged {

@@ -26,7 +26,7 @@ pub struct Screened {
 
 /// The samples without rows that repeat others exactly and without those where a cable's sensor stands still while the platform moves.
 ///
-/// Rows that stand in no order of their times are put in it, since tests of order and parts held out rely on it. The robot tells how far cables move.
+/// Shuffled rows are sorted by time, since tests of order and parts held out rely on it. The robot gives the lengths by which cables move.
 pub fn screened(robot: &Robot, samples: &Samples) -> Screened {
     let mut findings = Vec::new();
     let mut kept: Vec<usize> = (0..samples.len()).collect();

@@ -91,7 +91,7 @@ impl DoubtKind {
 }
 
 impl DoubtKind {
-    /// The kind of finding that a doubt is told as.
+    /// Returns the kind of the finding that answers write for a doubt.
     const fn finding(self) -> FindingKind {
         match self {
             Self::NotConverged | Self::NotPredictive | Self::Starts => FindingKind::Unsettled,

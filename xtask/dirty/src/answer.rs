@@ -1,4 +1,4 @@
-//! What the command answers to a cell.
+//! Answer of the command to a cell.
 
 use serde_json::Value;
 

@@ -64,7 +64,7 @@ mod tests {
         (scene.file.text(), scene.data.csv(), validation, scene.sidecar())
     }
 
-    /// What is written depends on the cell alone, and dirt is dirt: the files differ from those of the scene before it is spoilt.
+    /// Files depend on the cell alone, and those of dirty kinds differ from those of the scene before it is spoilt.
     #[test]
     fn every_dirt_changes_the_files_and_the_same_ones_every_time() {
         for cell in all(2, 1) {

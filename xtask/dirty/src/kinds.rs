@@ -14,7 +14,7 @@ pub(crate) struct Place {
     pub(crate) lines: Vec<usize>,
 }
 
-/// What names the dirt rightly.
+/// Finding or refusal that names the dirt rightly.
 #[derive(Clone, Copy, Debug)]
 pub(crate) enum Naming {
     /// Nothing is there to name: no caution.

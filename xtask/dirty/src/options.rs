@@ -2,7 +2,7 @@
 
 use std::path::PathBuf;
 
-/// What is asked for.
+/// Options of the program.
 #[derive(Clone, Debug, Default, PartialEq)]
 pub(crate) struct Options {
     /// The command that answers.

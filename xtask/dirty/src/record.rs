@@ -36,7 +36,7 @@ pub(crate) enum Turns {
 pub(crate) struct Style {
     /// Ending of the columns of positions.
     pub(crate) position_unit: &'static str,
-    /// What positions are multiplied with, by axis.
+    /// Factors of the positions, by axis.
     pub(crate) position_factors: [f64; 3],
     pub(crate) turns: Turns,
     pub(crate) with_poses: bool,

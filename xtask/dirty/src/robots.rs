@@ -25,7 +25,7 @@ pub(crate) enum RobotName {
     ElasticCamera,
 }
 
-/// What a robot file says.
+/// Numbers of a robot file.
 #[derive(Clone, Debug)]
 pub(crate) struct RobotFile {
     pub(crate) robot: RobotName,

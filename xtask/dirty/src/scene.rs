@@ -1,4 +1,4 @@
-//! What was measured of a machine: its robot file, the record and the one to validate by, before they are spoilt.
+//! Scenes: robot file, record and validation record of a machine before they are spoilt.
 
 use crate::geometry::Geometry;
 use crate::pose::{Pose, Vector};
@@ -51,7 +51,7 @@ pub(crate) struct Scene {
     pub(crate) stated: Option<Sigmas>,
     /// Frame of the tracker, world to tracker, if it is another one throughout.
     pub(crate) tracker: Option<Pose>,
-    /// What is measured on the platform, if not its origin.
+    /// Marker on the platform; `None` if its origin is measured.
     pub(crate) marker: Option<Vector>,
 }
 

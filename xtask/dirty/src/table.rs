@@ -10,7 +10,7 @@ const NAMED: f64 = 0.8;
 /// Part of clean cells that may have a caution.
 const CAUTIONED: f64 = 0.02;
 
-/// What is counted of some cells.
+/// Counts over some cells.
 #[derive(Clone, Copy, Default)]
 struct Count {
     cells: usize,

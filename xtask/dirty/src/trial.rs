@@ -19,7 +19,7 @@ pub(crate) struct Cell {
     pub(crate) seed: u64,
 }
 
-/// What came of a cell.
+/// Outcome of a cell.
 pub(crate) struct Outcome {
     pub(crate) cell: Cell,
     pub(crate) place: Place,
@@ -116,7 +116,7 @@ fn ask(program: &Path, folder: &Path, validated: bool) -> Result<Answer, String>
 }
 
 impl Outcome {
-    /// What the first finding says: kind, cable and line; the code of a refusal; `-` without any.
+    /// The first finding: kind, cable and line; the code of a refusal; `-` without any.
     pub(crate) fn first(&self) -> String {
         if self.answer.is_refusal() {
             return self.answer.code.clone();

@@ -9,7 +9,7 @@ use crate::screening::place;
 use cdpr_model::finding::{Finding, FindingKind, Severity};
 use cdpr_model::measurement::three_digits;
 
-/// Least logarithm of the likelihood ratio by which an explanation is told, after what its parameters and places tried cost.
+/// Least score of an explanation in an answer: the logarithm of its likelihood ratio less the price of its parameters and of the places tried.
 const SURE: f64 = 15.0;
 /// The same by which it has to beat the runner-up to be told as the cause.
 const CLEARLY: f64 = 6.0;

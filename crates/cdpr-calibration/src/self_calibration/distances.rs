@@ -18,7 +18,7 @@ enum End {
     Anchor(usize),
 }
 
-/// A distance that can be measured, and what it tells.
+/// Distance between two points of the robot or the record, with the band of the poses once it is measured.
 #[derive(Clone, Debug)]
 pub(super) struct Distance {
     ends: [End; 2],
@@ -29,7 +29,8 @@ pub(super) struct Distance {
 }
 
 impl Distance {
-    /// The distance of two frame anchors, of the sampled poses farthest apart, or of one of these and a frame anchor that tells most; `None` if none tells anything.
+    /// Returns the distance that narrows the band most, of two frame anchors, of the sampled poses farthest apart, or of one of these and a frame anchor; `None` if none
+    /// narrows it.
     pub(super) fn best(at: &At<'_, '_>, information: &Information) -> Option<Self> {
         let anchors: Vec<End> = (0..at.model.cable_count()).map(End::Anchor).collect();
         let poses = farthest(at).map_or_else(Vec::new, |pair| pair.map(End::Pose).to_vec());

@@ -43,7 +43,7 @@ impl PredictedBand {
 
 /// Displacement that finite differences are made of (m).
 const STEP: f64 = 1e-5;
-/// Deviation of a parameter that nothing tells (m).
+/// Standard deviation of a parameter that neither data nor an accuracy determine (m).
 const UNTOLD: f64 = 10.0;
 /// Cosine of motions that are the same.
 const SAME: f64 = 1.0 - 1e-4;

@@ -1,4 +1,4 @@
-//! Held numbers that data cannot see: what they may change, and the one distance that tells most of it.
+//! Findings about held numbers that the data do not determine: the change of the poses that they allow, and the distance to measure.
 
 use nalgebra::DMatrix;
 

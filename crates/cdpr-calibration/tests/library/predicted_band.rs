@@ -32,7 +32,7 @@ impl Machine {
         Self { truth: belts(BELTS), poses, dof: 2 }
     }
 
-    /// A camera on four cables from the corners of a rectangle: l₁² − l₂² + l₃² − l₄² = 0 whatever the scale, so that offsets take it up.
+    /// Camera on four cables from the corners of a rectangle: l₁² − l₂² + l₃² − l₄² = 0 for any scale, so that offsets take the scale up.
     fn camera() -> Self {
         let places = (0..48).map(|k| (f64::from(k % 4) - 1.5, f64::from(k / 4 % 4) - 1.5, f64::from(k / 16)));
         let pose = |(x, y, z)| Pose::from_xyz_angles(Vector3::new(2.0 * x, 1.2 * y, 1.5 + z), [0.0; 3]);
@@ -130,7 +130,7 @@ fn poses_are_as_far_off_as_their_band_says() {
     }
 }
 
-/// Offsets soak a scale up: the finding tells what 0.5 % move the poses; two known positions see the scale.
+/// Offsets take a scale up: the finding gives the motion of the poses for 0.5 %; with two known positions the scale is determined.
 #[test]
 fn a_scale_is_unseen_until_a_distance_is_known() {
     let machine = Machine::camera();

@@ -131,7 +131,7 @@ const fn told(
     Told { case, options: "", exit_code, status, kind, cable: None, line: None, words }
 }
 
-/// What data, the file and physics deny is told first, with its place, and weighs in status and exit code.
+/// Findings of dirty records stand first, with their place, and decide status and exit code.
 #[test]
 fn answers_that_data_and_statics_deny_say_so() {
     let other = "--validation validation.csv";

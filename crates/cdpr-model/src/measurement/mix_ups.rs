@@ -33,7 +33,7 @@ const CLEARLY: f64 = 0.5;
 const TIED: f64 = 0.7;
 /// Logarithm of a ratio of residuals that are the same.
 const EQUAL: f64 = 0.02;
-/// Largest number of explanations that are told.
+/// Largest number of explanations in a sentence.
 const MOST_TOLD: usize = 3;
 /// Least number of samples for a verdict.
 const FEWEST: usize = 6;

@@ -45,7 +45,7 @@ pub struct ReachableAnswer {
     /// Reachable, by emerging poses.
     #[serde(flatten)]
     pub(super) emerging: Size,
-    /// Reachable as one linear step tells; `None` if nobody asked, null without a size.
+    /// Reachable set by one linear step; `None` if it was not asked for, null without a size.
     #[serde(flatten)]
     pub(super) linear: Option<Size>,
     /// The control model is wrench-feasible.

@@ -1,4 +1,4 @@
-//! What spoils a scene: a function for each kind, by what it touches.
+//! Functions that spoil a scene, one for each kind of dirt.
 
 pub(crate) mod frames;
 pub(crate) mod lengths;

@@ -1,4 +1,4 @@
-//! What is measured, and what robot file and sidecar say of it.
+//! Spoilt set-ups: poses measured, and numbers of robot file and sidecar.
 
 use crate::kinds::Place;
 use crate::random::Random;

@@ -118,7 +118,7 @@ fn one_column_of_several_is_named_with_its_place() {
     }
 }
 
-/// The frame of a tracker changes no distance, and units are found whatever it is.
+/// Units are found for any frame of the tracker, which changes no distance.
 #[test]
 fn the_world_of_a_tracker_is_no_unit_and_hides_none() {
     for robot in robots() {
