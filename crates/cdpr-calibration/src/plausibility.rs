@@ -46,7 +46,7 @@ pub fn distrust(robot: &Robot, model: &Model, samples: &Samples, errors: &ErrorB
         sigmas: &samples.sigmas,
         errors,
         of_lengths: &|| of_lengths(model, samples),
-        sampled: sampled(model, samples),
+        sampled: &|| sampled(model, samples, errors.position_error_m.mean),
     })
 }
 
@@ -60,15 +60,18 @@ struct Sampled {
     scatter: f64,
 }
 
-/// Size and noise of the samples by themselves; `None` for a single position.
-fn sampled(model: &Model, samples: &Samples) -> Option<Sampled> {
+/// Size and noise of the samples by themselves, where a mean error (m) is large beside the size; `None` for a single position.
+fn sampled(model: &Model, samples: &Samples, error: f64) -> Option<Sampled> {
     let diagonal = diagonal(|| samples.poses.iter().map(|pose| pose.position));
     if !(diagonal > 0.0) {
         return None;
     }
+    let none = Some(Sampled { diagonal, scatter: 0.0 });
+    if error <= LARGEST_FRACTION * diagonal {
+        return none;
+    }
     let asked = MOST_ASKED.min(samples.len());
     let few = samples.subset(&(0..asked).map(|place| place * samples.len() / asked).collect::<Vec<usize>>());
-    let none = Some(Sampled { diagonal, scatter: 0.0 });
     let Some(predicted) = predicted_poses(model, &few) else { return none };
     let error = |sample: usize| Some(predicted[sample]?.position - few.poses[sample].position);
     let distance = |a: usize, b: usize| (few.poses[a].position - few.poses[b].position).norm();
@@ -96,18 +99,17 @@ fn of_lengths(model: &Model, samples: &Samples) -> Option<[f64; 2]> {
     let asked = ASKED.min(samples.len());
     let few = samples.subset(&(0..asked).map(|place| place * samples.len() / asked).collect::<Vec<usize>>());
     let middle = predicted_poses(model, &few)?;
-    let (mut squares, mut counts) = ([0.0; 2], vec![0.0; asked]);
+    let (mut squares, mut answered) = ([0.0; 2], 0.0);
     for cable in 0..few.cable_count {
         let mut moved = few.clone();
         (0..asked).for_each(|sample| moved.lengths[sample * few.cable_count + cable] += sigma);
-        for (sample, (before, after)) in middle.iter().zip(predicted_poses(model, &moved)?).enumerate() {
+        for (before, after) in middle.iter().zip(predicted_poses(model, &moved)?) {
             let (Some(before), Some(after)) = (before, after) else { continue };
             squares[0] += (after.position - before.position).norm_squared();
             squares[1] += after.angle_to(before).powi(2);
-            counts[sample] += 1.0;
+            answered += 1.0 / few.cable_count as f64;
         }
     }
-    let answered = counts.iter().sum::<f64>() / few.cable_count as f64;
     (answered > 0.0).then(|| squares.map(|square| (square / answered).sqrt()))
 }
 
@@ -117,7 +119,7 @@ struct Judged<'a> {
     sigmas: &'a SensorSigmas,
     errors: &'a ErrorBlocks,
     of_lengths: OfLengths<'a>,
-    sampled: Option<Sampled>,
+    sampled: &'a dyn Fn() -> Option<Sampled>,
 }
 
 fn judged(asked: &Judged<'_>) -> Distrust {
@@ -129,7 +131,8 @@ fn judged(asked: &Judged<'_>) -> Distrust {
     };
     let of_anchors = (LARGEST_FRACTION * robot.anchor_diagonal(), "1 % of the diagonal of the anchors' box");
     // a stated accuracy says more than a size
-    let (limit, of_what) = match sampled.filter(|_| sigmas.position.is_none() && !position.is_nan()) {
+    let by_samples = sigmas.position.is_none() && !position.is_nan();
+    let (limit, of_what) = match by_samples.then(sampled).flatten() {
         Some(Sampled { diagonal, scatter }) if LARGEST_FRACTION * diagonal + SCATTERS * scatter < of_anchors.0 => (
             LARGEST_FRACTION * diagonal + SCATTERS * scatter,
             "1 % of the diagonal of the sampled positions and twice the scatter of neighbours",
@@ -218,7 +221,7 @@ mod tests {
                 sigmas: &SensorSigmas::default(),
                 errors: &errors,
                 of_lengths: &|| None,
-                sampled: None,
+                sampled: &|| None,
             })
         };
         assert!(of(&robot, 1).reasons[0].words().contains("of 1 of 9 samples"));
@@ -238,7 +241,7 @@ mod tests {
         errors.length_error_m.rms = 2.6e-3;
         let of = |length: Option<f64>| {
             let sigmas = SensorSigmas { length, ..SensorSigmas::default() };
-            judged(&Judged { robot: &robot, sigmas: &sigmas, errors: &errors, of_lengths: &|| None, sampled: None })
+            judged(&Judged { robot: &robot, sigmas: &sigmas, errors: &errors, of_lengths: &|| None, sampled: &|| None })
         };
         assert_eq!(of(Some(5e-4)).reasons[0].kind, DoubtKind::BeyondAccuracy);
         assert!(of(Some(5e-4)).reasons[0].words().contains("5.20 times"), "{:?}", of(Some(5e-4)));

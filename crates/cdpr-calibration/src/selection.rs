@@ -62,6 +62,8 @@ pub struct Selection {
     /// Frames of tracker and marker and the offset of the clocks that were freed in every candidate, since the data fit the robot no other way, in
     /// words.
     pub frames: Option<String>,
+    /// The same where the offset of the clocks alone was freed.
+    pub clock: Option<String>,
     /// Priors that nobody stated.
     pub assumed: Vec<Prior>,
     /// Findings about the candidate of [`Selection::shown`], by data, numbers and statics.
@@ -112,6 +114,7 @@ impl Selection {
             rating,
             untried: Vec::new(),
             frames: None,
+            clock: None,
             assumed: Vec::new(),
             findings: Vec::new(),
         }
@@ -180,14 +183,19 @@ pub fn select(
     let (candidates, frames) = in_needed_frames(robot, candidates, samples, folds, settings);
     let regions = judge::regions(samples, folds, settings.regions)?;
     let progress = &SharedProgress::of(progress);
-    let problem = judge::Problem { robot, samples, folds, regions: &regions, settings, progress };
+    let groups = repeated_poses(robot, samples);
+    let problem = judge::Problem { robot, samples, folds, regions: &regions, settings, progress, groups: &groups };
     let mut richest = problem.richest(&candidates);
-    let (mut candidates, mut frames) = (candidates, frames);
+    let (mut candidates, mut frames, mut clock) = (candidates, frames, None);
     let asked = richest.as_ref().filter(|_| settings.tries_recording);
     if let Some(needed) = asked.and_then(|richest| recording::needed(&problem, richest, &candidates)) {
         candidates = with_recording(&candidates, &needed.freed);
         richest = Some(needed.richest);
-        frames = Some(frames.map_or(needed.words.clone(), |before| format!("{before}; {}", needed.words)));
+        match (needed.freed == [RecordingParameter::ClockOffset], frames.take()) {
+            (true, before) => (frames, clock) = (before, Some(needed.words)),
+            (false, Some(before)) => frames = Some(format!("{before}; {}", needed.words)),
+            (false, None) => frames = Some(needed.words),
+        }
     }
     let mut judged = judge_all(&problem, &candidates, richest.as_ref())?;
     for judgement in judged.iter_mut().filter_map(|candidate| candidate.outcome.as_mut().ok()) {
@@ -199,12 +207,7 @@ pub fn select(
     let mut selection = recommend(judged, Compared::of(robot, settings), settings.criterion);
     let (best, recommended) = (selection.best, selection.recommended);
     selection.rating = rating::rate(
-        preferences::Outcome {
-            candidates: &selection.candidates,
-            best,
-            recommended,
-            groups: &repeated_poses(robot, samples),
-        },
+        preferences::Outcome { candidates: &selection.candidates, best, recommended, groups: &groups },
         settings,
     );
     let held_out = if let [fold] = folds { &fold.validation[..] } else { &[] };
@@ -215,6 +218,7 @@ pub fn select(
     }
     selection.untried = untried::untried(robot, &candidates, samples.tensions.is_some());
     selection.frames = frames;
+    selection.clock = clock;
     selection.assumed.clone_from(&settings.assumed);
     Ok(selection)
 }
@@ -237,9 +241,8 @@ fn judge_all(
     if let Some(error) = InputError::where_all_failed(&judged) {
         return Err(error);
     }
-    let groups = repeated_poses(problem.robot, problem.samples);
     let compared = Compared::of(problem.robot, problem.settings);
-    comparison::compare(&mut judged, &Comparing { settings: problem.settings, compared, groups: &groups });
+    comparison::compare(&mut judged, &Comparing { settings: problem.settings, compared, groups: problem.groups });
     Ok(judged)
 }
 

@@ -43,6 +43,8 @@ pub enum DoubtKind {
     Found(Severity),
     /// Poses that need the frame of a tracker or a marker.
     Frames,
+    /// Clocks of poses and lengths that differ.
+    Clocks,
     /// Candidates compared on a part of the validation data.
     PartlyCompared,
     /// Other optima that are as good, or found more often.
@@ -78,6 +80,7 @@ impl DoubtKind {
             Self::Found(Severity::Caution)
             | Self::OutliersLeftOut
             | Self::Frames
+            | Self::Clocks
             | Self::PartlyCompared
             | Self::Starts
             | Self::Bound
@@ -98,6 +101,7 @@ impl DoubtKind {
             Self::NotIdentifiable | Self::WeakDirection => FindingKind::WeakDirection,
             Self::OutliersCounted | Self::OutliersLeftOut => FindingKind::Outlier,
             Self::Frames => FindingKind::Frame,
+            Self::Clocks => FindingKind::Clock,
             Self::PartlyCompared => FindingKind::Coverage,
             Self::Bound => FindingKind::Bound,
             Self::Prior => FindingKind::Anchor,

@@ -68,7 +68,7 @@ impl Scene {
         let mut random = Random::of(&format!("{words} {}", robot.word()), seed);
         let (file, truth) = (robot.file(), poses(robot, layout, &mut random));
         let step = if layout == Layout::Moving { MOVING.1 } else { 5.0 };
-        let data = measured(robot, &machine, (&truth, step), &mut random);
+        let data = measured(robot, &machine, &truth, step, &mut random);
         Self { file, machine, data, truth, validation: None, stated: None, tracker: None, marker: None }
     }
 
@@ -83,13 +83,13 @@ impl Scene {
     /// Measures anew after the machine was changed: other noise at the same poses.
     pub(crate) fn measure_again(&mut self, random: &mut Random) {
         let step = self.data.rows.get(1).map_or(1.0, |row| row.time);
-        self.data = measured(self.robot(), &self.machine, (&self.truth, step), random);
+        self.data = measured(self.robot(), &self.machine, &self.truth, step, random);
     }
 
     /// A record to validate by, of a machine that may be another one.
     pub(crate) fn validate_by(&mut self, machine: &Geometry, random: &mut Random) {
         let poses: Vec<Pose> = (0..VALIDATION_ROWS).map(|_| self.robot().random_pose(random, [0.0, 1.0])).collect();
-        self.validation = Some(measured(self.robot(), machine, (&poses, 5.0), random));
+        self.validation = Some(measured(self.robot(), machine, &poses, 5.0, random));
     }
 
     /// The machine at poses all over its workspace, without noise.
@@ -138,7 +138,7 @@ fn poses(robot: RobotName, layout: Layout, random: &mut Random) -> Vec<Pose> {
 }
 
 /// Noisy rows of a machine at poses, a step of time apart (s).
-fn measured(robot: RobotName, machine: &Geometry, (poses, step): (&[Pose], f64), random: &mut Random) -> Record {
+fn measured(robot: RobotName, machine: &Geometry, poses: &[Pose], step: f64, random: &mut Random) -> Record {
     let rows = poses.iter().enumerate().map(|(index, pose)| {
         let tensions = robot.tensions_at(machine, pose, random);
         let mut lengths = machine.recorded(pose, &tensions);

@@ -61,7 +61,7 @@ impl Cell {
     pub(crate) fn run(&self, bench: &Bench) -> Result<Outcome, String> {
         let (scene, place) = self.scene();
         let folder = bench.folder.join(self.name().replace('/', "-"));
-        let outcome = self.judged(&scene, place, (&folder, &bench.command));
+        let outcome = self.judged(&scene, place, &folder, &bench.command);
         if !bench.keep {
             // of a folder of our own; the next run has another
             let _ = std::fs::remove_dir_all(&folder);
@@ -69,7 +69,7 @@ impl Cell {
         outcome.map_err(|complaint| format!("{}: {complaint}", self.name()))
     }
 
-    fn judged(&self, scene: &Scene, place: Place, (folder, command): (&Path, &Path)) -> Result<Outcome, String> {
+    fn judged(&self, scene: &Scene, place: Place, folder: &Path, command: &Path) -> Result<Outcome, String> {
         write_files(scene, folder)?;
         let answer = ask(command, folder, scene.validation.is_some())?;
         let errors = match std::fs::read_to_string(folder.join("out/calibrated.toml")) {

@@ -1,5 +1,6 @@
 //! Findings: the data, the file's own numbers and statics as witnesses against a fitted model.
 
+mod cause;
 mod examined;
 mod load;
 mod numbers;
@@ -10,7 +11,6 @@ mod stated_noise;
 
 pub use examined::Examined;
 pub use numbers::UNIT_FACTORS;
-pub(crate) use scan::Scanned;
 
 use cdpr_model::finding::Finding;
 use cdpr_model::measurement::mix_ups;
@@ -18,10 +18,8 @@ use cdpr_model::measurement::mix_ups;
 /// Everything that speaks against a fitted model: what is wrong with the data, then numbers that cannot be, then statics, then what the samples
 /// do not show.
 pub fn findings(examined: &Examined<'_>) -> Vec<Finding> {
-    let scanned = Scanned::of(examined);
-    let load = load::findings(examined);
-    let mut found: Vec<Finding> = load;
-    found.extend(scanned.finding);
+    let mut found = load::findings(examined);
+    found.extend(scan::finding(examined));
     found.extend(numbers::findings(examined));
     found.extend(load::gravity(examined));
     // asked again with anchors that fit, a mix-up shows that wrong ones hid

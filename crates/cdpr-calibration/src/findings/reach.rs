@@ -40,7 +40,7 @@ pub(super) fn finding(examined: &Examined<'_>) -> Option<Finding> {
     if axes.is_empty() || fraction >= limit {
         return None;
     }
-    let elsewhere = error_elsewhere(examined, &(low, high), &samples.poses);
+    let elsewhere = error_elsewhere(examined, &low, &high, &samples.poses);
     let told = elsewhere.filter(|error| *error > FARTHER_OFF * examined.position_error.max(1e-4));
     let is_unknown = elsewhere.is_none() && robot.travel.is_some();
     (told.is_some() || is_unknown).then(|| {
@@ -58,7 +58,7 @@ pub(super) fn finding(examined: &Examined<'_>) -> Option<Finding> {
 }
 
 /// Largest error at corners of a box (m): of the parameters of the richest fit, and of the model beside it; `None` where neither is known.
-fn error_elsewhere(examined: &Examined<'_>, (low, high): &(Vector3<f64>, Vector3<f64>), near: &[Pose]) -> Option<f64> {
+fn error_elsewhere(examined: &Examined<'_>, low: &Vector3<f64>, high: &Vector3<f64>, near: &[Pose]) -> Option<f64> {
     let middle = (low + high) / 2.0;
     let half = (high - low) * (INNER / 2.0);
     let turned = near.first()?.rotation;

@@ -116,6 +116,18 @@ impl CableResiduals {
         (left.norm() > 1e-3 * before && before > 0.0).then_some(left)
     }
 
+    /// Direction in which the length last changed, 1 or −1; 0 before it does.
+    pub(super) fn travel(&self) -> DVector<f64> {
+        let mut last = 0.0;
+        DVector::from_fn(self.lengths.len(), |row, _| {
+            let step = if row == 0 { 0.0 } else { self.lengths[row] - self.lengths[row - 1] };
+            if step != 0.0 {
+                last = step.signum();
+            }
+            last
+        })
+    }
+
     /// Root mean square of the residuals (m).
     pub(super) fn rms(&self) -> f64 {
         (self.squares / self.freedom).sqrt()

@@ -2,11 +2,12 @@
 
 use nalgebra::{DVector, Matrix6, Vector6};
 
+use super::cause::{Cause, Explanation};
 use super::examined::Examined;
 use super::residual_table::{CableResiduals, ResidualTable};
 use crate::autocorrelation::correlation_time;
 use crate::screening::place;
-use cdpr_model::finding::{Finding, FindingKind, Severity};
+use cdpr_model::finding::{Finding, Severity};
 use cdpr_model::measurement::three_digits;
 
 /// Least score of an explanation in an answer: the logarithm of its likelihood ratio less the price of its parameters and of the places tried.
@@ -25,60 +26,9 @@ const PLACES: usize = 100;
 /// Residuals below this are rounding (m).
 const ROUNDING: f64 = 1e-6;
 
-/// Outcome of the search.
-pub(crate) struct Scanned {
-    /// The explanation of the residuals; `None` where they look like noise.
-    pub(super) finding: Option<Finding>,
-}
-
-/// Cause that may stand behind residuals.
-#[derive(Clone, Copy, Debug, PartialEq)]
-enum Cause {
-    /// One cable's lengths change by a constant from a row on.
-    Step,
-    /// The lengths of every cable change by a constant of its own from a row on.
-    Offsets,
-    /// The lengths of every cable change by a constant of its own in the data that are held out.
-    HeldOut,
-    /// The tracker moves at a row.
-    Tracker,
-    /// One cable's lengths drift.
-    Drift,
-    /// Lengths of all cables drift.
-    Drifts,
-    /// One cable's lengths depend on the direction of travel.
-    Backlash,
-    /// Those of all cables do.
-    Backlashes,
-    /// Poses and lengths are of different times.
-    Clock,
-    /// One cable's residuals are larger than those of the others, without an order.
-    Loud,
-}
-
-/// An explanation with how much it explains.
-#[derive(Clone, Debug)]
-struct Explanation {
-    cause: Cause,
-    cable: Option<usize>,
-    /// Index of the row where it begins, among those searched.
-    first: Option<usize>,
-    /// Logarithm of the likelihood ratio less the price of parameters and places.
-    score: f64,
-    /// Fraction of the squares explained: of the cable, or of all.
-    explained: f64,
-    /// Size (m; m per second or row of a drift; s of a clock).
-    size: f64,
-    /// Root mean square of the explained part, and of the residuals that are left (m).
-    part: f64,
-    left: f64,
-}
-
-impl Scanned {
-    /// Searches the residuals of the richest fit.
-    pub(crate) fn of(examined: &Examined<'_>) -> Self {
-        Self { finding: ResidualTable::of(examined).and_then(|table| Search { examined, table }.finding()) }
-    }
+/// The explanation that beats the others for the residuals of the richest fit; `None` where they look like noise.
+pub(super) fn finding(examined: &Examined<'_>) -> Option<Finding> {
+    Search { examined, table: ResidualTable::of(examined)? }.finding()
 }
 
 struct Search<'a> {
@@ -184,11 +134,11 @@ impl Search<'_> {
         let clock = self.clock();
         for (cable, own) in self.table.cables.iter().enumerate() {
             all.extend(self.of_cable(Cause::Drift, cable, own, &clock, 1.0));
-            all.extend(self.of_cable(Cause::Backlash, cable, own, &directions(own), 1.0));
+            all.extend(self.of_cable(Cause::Backlash, cable, own, &own.travel(), 1.0));
             all.extend(self.loud(cable, own));
         }
         all.extend(self.of_each(Cause::Drifts, None, &|_| clock.clone()));
-        all.extend(self.of_each(Cause::Backlashes, None, &directions));
+        all.extend(self.of_each(Cause::Backlashes, None, &CableResiduals::travel));
         all.extend(self.late());
         all
     }
@@ -442,52 +392,4 @@ struct Explained {
 struct Spread {
     part: f64,
     left: f64,
-}
-
-/// Direction in which a cable's length last changed, 1 or −1; 0 before it does.
-fn directions(own: &CableResiduals) -> DVector<f64> {
-    let mut last = 0.0;
-    DVector::from_fn(own.lengths.len(), |row, _| {
-        let step = if row == 0 { 0.0 } else { own.lengths[row] - own.lengths[row - 1] };
-        if step != 0.0 {
-            last = step.signum();
-        }
-        last
-    })
-}
-
-impl Cause {
-    fn kind(self, is_redundant: bool) -> FindingKind {
-        match self {
-            Self::Step => FindingKind::Step,
-            Self::Offsets | Self::HeldOut => FindingKind::Offset,
-            Self::Tracker => FindingKind::Frame,
-            Self::Drift | Self::Drifts => FindingKind::Drift,
-            Self::Backlash | Self::Backlashes => FindingKind::Backlash,
-            Self::Clock => FindingKind::Clock,
-            Self::Loud if is_redundant => FindingKind::Slack,
-            Self::Loud => FindingKind::Sensor,
-        }
-    }
-
-    fn unit(self) -> &'static str {
-        match self {
-            Self::Drift | Self::Drifts => "m/s",
-            Self::Clock => "s",
-            _ => "m",
-        }
-    }
-
-    /// Question behind an explanation that stands alone.
-    fn question(self) -> &'static str {
-        match self {
-            Self::Step => ": was the cable clamped anew, or did it slip?",
-            Self::Offsets | Self::HeldOut => ": were the winches set anew?",
-            Self::Tracker => ": was the tracker moved?",
-            Self::Drift | Self::Drifts => ": does the cable creep, or the drum warm up?",
-            Self::Backlash | Self::Backlashes => ": backlash of gear or pulleys, or friction along the cable?",
-            Self::Clock => ": free `clock-offset`",
-            Self::Loud => ": does it hang slack, or is its sensor disturbed?",
-        }
-    }
 }

@@ -21,6 +21,8 @@ pub(super) struct Problem<'a> {
     pub(super) regions: &'a [Fold],
     pub(super) settings: &'a Settings,
     pub(super) progress: &'a SharedProgress<'a>,
+    /// A number for every sample, the same for repeated poses.
+    pub(super) groups: &'a [usize],
 }
 
 /// So many regions of the samples of the reported fit, each left out in turn.

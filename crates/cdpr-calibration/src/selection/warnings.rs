@@ -124,6 +124,7 @@ impl Selection {
         });
         let mut of_data = of_data.clone();
         of_data.doubt(DoubtKind::Frames, self.frames.clone());
+        of_data.doubt(DoubtKind::Clocks, self.clock.clone());
         of_data.doubts.extend(self.findings.iter().cloned().map(Doubt::from));
         of_data.doubts.extend(self.unsound(judgement));
         for prior in &self.assumed {

@@ -10,16 +10,25 @@ use crate::measurement::comparison::Data;
 use crate::measurement::position_columns;
 use crate::robot::Robot;
 
+/// Unit of length.
+#[derive(Clone, Copy)]
+struct Unit {
+    name: &'static str,
+    /// Ending of columns in it; empty where none is read.
+    symbol: &'static str,
+    metres: f64,
+}
+
 /// Units of lengths that are tried: name, symbol in columns (empty if none is read), and metres.
-const UNITS: [(&str, &str, f64); 5] = [
-    ("metres", "m", 1.0),
-    ("millimetres", "mm", 1e-3),
-    ("centimetres", "", 1e-2),
-    ("inches", "", 0.0254),
-    ("feet", "", 0.3048),
+const UNITS: [Unit; 5] = [
+    Unit { name: "metres", symbol: "m", metres: 1.0 },
+    Unit { name: "millimetres", symbol: "mm", metres: 1e-3 },
+    Unit { name: "centimetres", symbol: "", metres: 1e-2 },
+    Unit { name: "inches", symbol: "", metres: 0.0254 },
+    Unit { name: "feet", symbol: "", metres: 0.3048 },
 ];
 /// Tried of positions alone, that nobody measures in: positions divided by 1000 once more.
-const KILOMETRES: (&str, &str, f64) = ("kilometres", "", 1e3);
+const KILOMETRES: Unit = Unit { name: "kilometres", symbol: "", metres: 1e3 };
 /// Size beyond which a robot's anchors are in millimetres rather than its data in metres (m).
 const LARGEST_ROBOT: f64 = 200.0;
 
@@ -64,8 +73,9 @@ pub(super) fn alternatives(robot: &Robot, has_angles: bool, factor: &dyn Fn(Quan
             continue;
         }
         let further = (part == Part::Positions).then_some(KILOMETRES);
-        for unit in UNITS.into_iter().chain(further).filter(|unit| unit.2 != own) {
-            let is_of_robot = part == Part::Both && unit.2 / own > 100.0 && robot.anchor_diagonal() > LARGEST_ROBOT;
+        for unit in UNITS.into_iter().chain(further).filter(|unit| unit.metres != own) {
+            let is_of_robot =
+                part == Part::Both && unit.metres / own > 100.0 && robot.anchor_diagonal() > LARGEST_ROBOT;
             if !is_of_robot {
                 all.push(in_unit(robot, part, unit, own, false));
             }
@@ -89,8 +99,8 @@ pub(super) fn alternatives(robot: &Robot, has_angles: bool, factor: &dyn Fn(Quan
 }
 
 /// A part in a unit instead of its own one.
-fn in_unit(robot: &Robot, part: Part, unit: (&str, &str, f64), own: f64, is_mirrored: bool) -> Alternative {
-    let (name, symbol, metres) = unit;
+fn in_unit(robot: &Robot, part: Part, unit: Unit, own: f64, is_mirrored: bool) -> Alternative {
+    let Unit { name, symbol, metres } = unit;
     let factor = metres / own;
     // 0.3048 / 0.001 is not 304.8 to the last bit
     let times = (1e6 * factor).round() / 1e6;
