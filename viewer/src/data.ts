@@ -75,6 +75,8 @@ export interface Candidate {
   iterations?: number;
   /** Criterion on regions left out, where they were asked for. */
   leave_region_out?: HeldOut | null;
+  /** Changes of recorded lengths inside the record, where they were free. */
+  length_shifts?: LengthShift[];
   log_likelihood?: number | null;
   loss?: string;
   marker_frame?: FrameEstimate | null;
@@ -374,6 +376,24 @@ export interface LengthErrors {
   rms: number | null;
 }
 
+/** Change of a cable's recorded lengths inside the record. */
+export interface LengthShift {
+  /** Cable, counted from 1. */
+  cable: number;
+  /** Change of the recorded length, after the line less before it, or over the record. */
+  change_m: number;
+  /** Length offset that the calibrated robot has. */
+  length_offset_after_m: number;
+  length_offset_before_m: number;
+  /** Line of the data file from which on lengths are changed, the header being line 1; null of a drift. */
+  line: number | null;
+  /** Name, e.g. `length-offset[3]@52` or `length-drift[3]`. */
+  parameter: string;
+  /** Speed of a drift; null of a step, or where rows have no times. */
+  rate_m_per_s: number | null;
+  sigma_m: number;
+}
+
 /** Effect of the map that corrects the control model. */
 export interface MappedSummary {
   /** Poses in its margin, where it fades. */
@@ -611,6 +631,8 @@ export interface Selection {
   /** Findings, the worst first. */
   findings: Finding[];
   gauge?: Gauge;
+  /** Changes of recorded lengths inside the record, of the same candidate, where they were free. */
+  length_shifts?: LengthShift[];
   marker_frame?: FrameEstimate | null;
   /** Folder of the result's files. */
   out?: string | null;

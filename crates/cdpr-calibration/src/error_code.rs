@@ -28,6 +28,8 @@ impl ErrorCode for fit::InputError {
             Self::Winch(error) => error.code(),
             Self::NoSamples => "data::no-samples",
             Self::NoClockOffset => "data::no-clock-offset",
+            Self::ShiftUntold { .. } => "data::no-shift",
+            Self::ShiftOfAngles { .. } => "parameter::shift-of-angles",
             Self::NoFrames { .. } => "data::no-frames",
             Self::MarkerOfPoint => "parameter::marker-of-point",
             Self::CableCount { .. } => "data::cable-count",

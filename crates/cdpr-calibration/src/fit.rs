@@ -8,6 +8,7 @@ mod input_error;
 mod profile;
 mod report;
 mod settings;
+mod shifts;
 #[cfg(test)]
 mod tests;
 pub(super) mod warnings;
@@ -15,6 +16,7 @@ pub(super) mod warnings;
 use crate::progress::Progress;
 use crate::progress::unobserved;
 pub use answer::{Estimate, Fit, Status};
+use checks::check_shifts;
 pub(super) use checks::{check_motor_angles, check_question, check_recording, checked_parameters};
 pub(super) use frames::frames_that_fit;
 pub use frames::{FrameEstimate, Gauge, RecordingFrames, frame_warning};
@@ -24,6 +26,7 @@ pub use profile::{Profile, ProfilePoint, profiles};
 pub(super) use report::report;
 pub(super) use settings::{ASSUMED_NOISE, ASSUMED_TENSION_SHARE, prior_sigma};
 pub use settings::{Prior, RowWeights, Settings, TaskBox};
+pub use shifts::ShiftEstimate;
 
 use super::clock;
 use super::problem::Problem;
@@ -53,6 +56,12 @@ pub fn fit_observed(
         check_recording(free, settings)?;
     }
     let samples = &*model.with_lengths(samples)?;
+    let shifted = free.length_shifts(&settings.hold, model.cable_count())?;
+    if !shifted.is_empty() {
+        check_shifts(&parameters, &shifted)?;
+        let plain = |samples: &Samples, free: &FreeParameters| fit_observed(model, samples, free, settings, progress);
+        return shifts::fit(samples, free, &shifted, settings, &plain);
+    }
     if !frames::freed(free, &settings.hold).is_empty() {
         let plain = |samples: &Samples, free: &FreeParameters| fit_observed(model, samples, free, settings, progress);
         return frames::fit(model, samples, free, settings, &plain);

@@ -61,6 +61,8 @@ pub struct Analysis {
     pub quantile_95: f64,
     /// Factor of the deviations that the rows' weights give.
     pub(super) inflation: f64,
+    /// Longest correlation time of residuals over consecutive samples; 1 where these are independent.
+    pub(super) correlation_time: f64,
     pub(super) warnings: Vec<String>,
 }
 
@@ -70,6 +72,11 @@ impl Analysis {
         self.weak_direction_count = directions.len();
         self.weak_deviation = directions.iter().map(Direction::deviation).fold(0.0, f64::max);
         self.weak_directions = describe(model, directions);
+    }
+
+    /// Residuals that repeat each other in words; `None` where they are independent.
+    pub(super) fn repeated_rows(&self) -> Option<&str> {
+        self.warnings.first().filter(|_| self.correlation_time > 1.0).map(String::as_str)
     }
 
     /// Writes all coefficients (row i: with the parameters 0 to i) and the pairs above the limit.
@@ -83,6 +90,8 @@ impl Analysis {
     }
 }
 
+/// Independent rows below which their scatter tells a deviation to no better than a quarter.
+pub(super) const FEW_ROWS: f64 = 8.0;
 /// Correlations above this are reported.
 const CORRELATION_LIMIT: f64 = 0.95;
 
@@ -142,6 +151,7 @@ pub(super) fn analyse(
     plain_values.sort_by(|a, b| b.total_cmp(a));
     analysis.singular_values = plain_values;
     analysis.set_weak_directions(model, directions);
+    analysis.correlation_time = longest_time;
     if longest_time > 1.0 {
         analysis.warnings.push(repeated(longest_time, samples.len(), groups.len() > 1));
     }
@@ -158,11 +168,12 @@ fn correlation_times(group: &GroupRows, norms: &Norms) -> Vec<f64> {
     group.series.iter().map(time).collect()
 }
 
-/// The median.
+/// The second largest, or the only one: of several rows of a sample chance correlates one now and then, hardly two, and noise of a pose is in as many
+/// rows as it has components, whatever the noise of tensions in the others.
 fn typical(times: &[f64]) -> f64 {
     let mut times = times.to_vec();
-    times.sort_by(f64::total_cmp);
-    times[times.len() / 2]
+    times.sort_by(|a, b| b.total_cmp(a));
+    times[1.min(times.len() - 1)]
 }
 
 /// Jᵀ C J of the rows in units of their noise, C the correlation of each row's series: a first-order autoregression with its correlation time.
@@ -191,9 +202,13 @@ fn correlated_information(group: &GroupRows, times: &[f64]) -> DMatrix<f64> {
 /// Warning about residuals that repeat each other, of several cables by up to so much.
 fn repeated(time: f64, samples: usize, are_several: bool) -> String {
     let up_to = if are_several { "up to " } else { "" };
+    let few = match samples as f64 / time < FEW_ROWS {
+        true => ", but so few hardly tell them: record longer",
+        false => "",
+    };
     format!(
         "residuals of consecutive samples repeat each other (correlation time {up_to}{time:.0} samples, so that the {samples} rows are worth {:.0} independent \
-         ones where the pose changes slowly): standard deviations account for it",
+         ones where the pose changes slowly): standard deviations account for it{few}",
         samples as f64 / time
     )
 }

@@ -83,7 +83,7 @@ struct Rated {
     residuals: Residuals,
     /// Free parameters.
     free: usize,
-    /// Directions of parameters, frames and clock that the data determine.
+    /// Directions of parameters, frames, clock and changes of lengths that the data determine.
     parameters: f64,
 }
 
@@ -147,7 +147,7 @@ fn outliers(one: &Rated) -> Vec<usize> {
     Norms::new(squares.clone(), None, extent).outliers().collect()
 }
 
-/// Directions of parameters, frames and clock that the data determine.
+/// Directions of parameters, frames, clock and changes of lengths that the data determine.
 fn effective_parameters(robot: &Robot, fit: &Fit) -> f64 {
     let by_prior = |(sigma, prior): (f64, f64)| (sigma / prior).powi(2).min(1.0);
     let known = fit.parameters.iter().filter_map(|estimate| Some((estimate.sigma?, estimate.prior_sigma?)));
@@ -159,5 +159,5 @@ fn effective_parameters(robot: &Robot, fit: &Fit) -> f64 {
         (free * (turns + shifts)).saturating_sub(frames.gauge.directions)
     });
     let of_clock = usize::from(fit.clock_offset.is_some());
-    (determined - known.map(by_prior).sum::<f64>()).max(0.0) + (of_frames + of_clock) as f64
+    (determined - known.map(by_prior).sum::<f64>()).max(0.0) + (of_frames + of_clock + fit.shifts.len()) as f64
 }

@@ -65,7 +65,7 @@ pub fn identify(
     let own = samples.subset(&part);
     let validation = match other {
         Some(other) => Some((
-            evaluate_fitted(&fit.model, &fit.as_fitted(other))?,
+            evaluate_fitted(&fit.model, &fit.as_fitted(&other.clone().of_another_record()))?,
             evaluate_given(model, &fit.in_robot_frame(other), free)?,
         )),
         None => (!folds.is_empty()).then_some((after, before)),

@@ -18,7 +18,7 @@ mod settings;
 mod tests;
 
 use cdpr_model::measurement::{Samples, SensorSigmas};
-use cdpr_model::model::{FreeParameters, Model, RecordingParameter};
+use cdpr_model::model::{FreeParameters, Model, RecordingParameter, ShiftCourse};
 use cdpr_model::robot::Parameter;
 
 pub use candidates::Candidates;
@@ -106,9 +106,11 @@ pub fn plan(
 
 /// Free parameters that poses can tell of.
 fn plannable(model: &Model, free: &FreeParameters, hold: &FreeParameters) -> Result<Vec<Parameter>, PlanError> {
-    if let Some(parameter) = RecordingParameter::ALL.into_iter().find(|parameter| free.names_recording(*parameter)) {
+    let of_recording = RecordingParameter::ALL.into_iter().find(|parameter| free.names_recording(*parameter));
+    let of_lengths = || free.first_length_shift(hold).map(ShiftCourse::known_name);
+    if let Some(name) = of_recording.map(RecordingParameter::name).or_else(of_lengths) {
         let on = "clock and frame of the sensors, not on the robot: leave it out of the plan, every set of poses spread over the workspace tells of it";
-        return Err(PlanError::Unplannable { name: parameter.name(), on });
+        return Err(PlanError::Unplannable { name, on });
     }
     let parameters = free.parameters(model, hold)?;
     if let Some(kind) = parameters.iter().map(|parameter| parameter.kind).find(|kind| kind.needs_motor_angles()) {

@@ -21,6 +21,8 @@ pub(super) enum Cause {
     Backlash,
     /// Those of all cables do.
     Backlashes,
+    /// One cable's lengths stay where they are after a reversal, until the play is used up.
+    DeadBand,
     /// Poses and lengths are of different times.
     Clock,
     /// One cable's residuals are larger than those of the others, without an order.
@@ -53,6 +55,7 @@ impl Cause {
             Self::Tracker => FindingKind::Frame,
             Self::Drift | Self::Drifts => FindingKind::Drift,
             Self::Backlash | Self::Backlashes => FindingKind::Backlash,
+            Self::DeadBand => FindingKind::DeadBand,
             Self::Clock => FindingKind::Clock,
             Self::Loud if is_redundant => FindingKind::Slack,
             Self::Loud => FindingKind::Sensor,
@@ -67,6 +70,12 @@ impl Cause {
         }
     }
 
+    /// True where two explanations are one thing in two forms: a dead band that every motion crosses is a backlash.
+    pub(super) fn is_form_of(self, other: Self) -> bool {
+        let is_play = |cause: Self| matches!(cause, Self::Backlash | Self::DeadBand);
+        self == other || is_play(self) && is_play(other)
+    }
+
     /// Question behind an explanation that stands alone.
     pub(super) fn question(self) -> &'static str {
         match self {
@@ -74,9 +83,24 @@ impl Cause {
             Self::Offsets | Self::HeldOut => ": were the winches set anew?",
             Self::Tracker => ": was the tracker moved?",
             Self::Drift | Self::Drifts => ": does the cable creep, or the drum warm up?",
+            Self::DeadBand => ": play of gear or coupling, friction along the cable, or an encoder that reports steps?",
             Self::Backlash | Self::Backlashes => ": backlash of gear or pulleys, or friction along the cable?",
             Self::Clock => ": free `clock-offset`",
             Self::Loud => ": does it hang slack, or is its sensor disturbed?",
         }
     }
+}
+
+/// Gain of an explanation (m²), of which squares, by how many parameters and places.
+pub(super) struct Explained {
+    pub(super) gain: f64,
+    pub(super) of: f64,
+    pub(super) parameters: f64,
+    pub(super) tried: f64,
+}
+
+/// Root mean squares of the explained part and of the rest (m).
+pub(super) struct Spread {
+    pub(super) part: f64,
+    pub(super) left: f64,
 }

@@ -4,6 +4,7 @@ mod cause;
 mod examined;
 mod load;
 mod numbers;
+mod order;
 mod reach;
 mod residual_table;
 mod scan;
@@ -31,5 +32,9 @@ pub fn findings(examined: &Examined<'_>) -> Vec<Finding> {
         found.extend(stated_noise::finding(examined));
     }
     found.extend(reach::finding(examined));
+    // so it does that they repeat each other
+    if found.iter().all(|finding| finding.explains.is_none()) {
+        found.extend(order::finding(examined));
+    }
     found
 }

@@ -128,6 +128,16 @@ impl CableResiduals {
         })
     }
 
+    /// Place of a length inside a dead band of a half width (m): 1 at the end of paying out, −1 at that of winding.
+    pub(super) fn behind(&self, half: f64) -> DVector<f64> {
+        let mut recorded = self.lengths.first().copied().unwrap_or(0.0);
+        DVector::from_fn(self.lengths.len(), |row, _| {
+            let length = self.lengths[row];
+            recorded = recorded.clamp(length - half, length + half);
+            (length - recorded) / half
+        })
+    }
+
     /// Root mean square of the residuals (m).
     pub(super) fn rms(&self) -> f64 {
         (self.squares / self.freedom).sqrt()

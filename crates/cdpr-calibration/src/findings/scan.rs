@@ -2,7 +2,7 @@
 
 use nalgebra::{DVector, Matrix6, Vector6};
 
-use super::cause::{Cause, Explanation};
+use super::cause::{Cause, Explained, Explanation, Spread};
 use super::examined::Examined;
 use super::residual_table::{CableResiduals, ResidualTable};
 use crate::autocorrelation::correlation_time;
@@ -23,6 +23,9 @@ const GROSS: f64 = 5.0;
 /// Fewest rows on either side of a step, and most places at which one is tried before it is refined.
 const LEAST_SIDE: usize = 6;
 const PLACES: usize = 100;
+/// Dead bands that are tried, each √2 times as wide as the one before, and half the width of the first (m).
+const DEAD_BANDS: i32 = 16;
+const NARROWEST: f64 = 2e-4;
 /// Residuals below this are rounding (m).
 const ROUNDING: f64 = 1e-6;
 
@@ -47,7 +50,9 @@ impl Search<'_> {
         let best = all.first()?.clone();
         let redundant = self.is_redundant();
         let is_other = |other: &Explanation| {
-            (other.cause.kind(redundant), other.cable) != (best.cause.kind(redundant), best.cable)
+            let is_same =
+                other.cause.is_form_of(best.cause) || other.cause.kind(redundant) == best.cause.kind(redundant);
+            !is_same || other.cable != best.cable
         };
         let rivals: Vec<&Explanation> =
             all[1..].iter().filter(|other| other.score > best.score - CLEARLY && is_other(other)).collect();
@@ -57,7 +62,7 @@ impl Search<'_> {
     fn told(&self, best: &Explanation, rivals: &[&Explanation]) -> Finding {
         let explained = format!(" (explains {:.0} %)", 100.0 * best.explained);
         let text = match rivals.first() {
-            None => format!("{}{explained}{}", self.words(best), best.cause.question()),
+            None => format!("{}{explained}{}{}", self.words(best), best.cause.question(), self.remedy(best)),
             Some(_) => {
                 let others: Vec<String> = rivals.iter().take(2).map(|other| self.words(other)).collect();
                 format!("one of these explains the residuals{explained}: {}; {}", self.words(best), others.join("; "))
@@ -78,6 +83,17 @@ impl Search<'_> {
         match best.first.and_then(|first| self.line(first)) {
             Some(line) => finding.at_line(line),
             None => finding,
+        }
+    }
+
+    /// Name of what can be freed to take an explanation up, behind its question.
+    fn remedy(&self, one: &Explanation) -> String {
+        let cable = one.cable.map_or_else(String::new, |cable| format!("[{}]", cable + 1));
+        let line = one.first.and_then(|first| self.line(first));
+        match (one.cause, line) {
+            (Cause::Step | Cause::Offsets, Some(line)) => format!(" `length-offset{cable}@{line}` free takes it up"),
+            (Cause::Drift | Cause::Drifts, _) => format!(" `length-drift{cable}` free takes it up"),
+            _ => String::new(),
         }
     }
 
@@ -105,6 +121,9 @@ impl Search<'_> {
             }
             Cause::Backlash | Cause::Backlashes => {
                 format!("{cable}: lengths differ by {:.1} mm with the direction of travel", (2.0 * mm).abs())
+            }
+            Cause::DeadBand => {
+                format!("{cable}: lengths stay behind by {:.1} mm after every reversal", (2.0 * mm).abs())
             }
             Cause::Clock => format!(
                 "poses are recorded {:.0} ms {}",
@@ -135,6 +154,7 @@ impl Search<'_> {
         for (cable, own) in self.table.cables.iter().enumerate() {
             all.extend(self.of_cable(Cause::Drift, cable, own, &clock, 1.0));
             all.extend(self.of_cable(Cause::Backlash, cable, own, &own.travel(), 1.0));
+            all.extend(self.dead_band(cable, own));
             all.extend(self.loud(cable, own));
         }
         all.extend(self.of_each(Cause::Drifts, None, &|_| clock.clone()));
@@ -236,6 +256,13 @@ impl Search<'_> {
             Spread { part: (gain / own.freedom).sqrt(), left: ((own.squares - gain).max(0.0) / own.freedom).sqrt() };
         let told = part.dot(&own.unclipped) / part.norm_squared();
         Some(self.explanation(cause, Some(cable), told, explained, spread, correlation_time(left.as_slice())))
+    }
+
+    /// A dead band of the width that explains one cable best.
+    fn dead_band(&self, cable: usize, own: &CableResiduals) -> Option<Explanation> {
+        let widths = (0..DEAD_BANDS).map(|step| NARROWEST * 2.0_f64.powf(f64::from(step) / 2.0));
+        let of_width = |half: f64| self.of_cable(Cause::DeadBand, cable, own, &own.behind(half), f64::from(DEAD_BANDS));
+        widths.filter_map(of_width).max_by(|a, b| a.score.total_cmp(&b.score))
     }
 
     /// A column of each cable with a size of its own explains all of them.
@@ -378,18 +405,4 @@ impl Search<'_> {
             left: spread.left,
         }
     }
-}
-
-/// Gain of an explanation (m²), of which squares, by how many parameters and places.
-struct Explained {
-    gain: f64,
-    of: f64,
-    parameters: f64,
-    tried: f64,
-}
-
-/// Root mean squares of the explained part and of the rest (m).
-struct Spread {
-    part: f64,
-    left: f64,
 }

@@ -1,6 +1,7 @@
 //! Answer of a fit.
 
 use super::frames::RecordingFrames;
+use super::shifts::ShiftEstimate;
 use crate::clock::ClockOffset;
 use crate::identifiability::{Analysis, Correlation};
 use crate::likelihood::FittedRows;
@@ -100,6 +101,8 @@ pub struct Fit {
     pub clock_offset: Option<ClockOffset>,
     /// Frames of tracker and marker, where they were free.
     pub frames: Option<RecordingFrames>,
+    /// Changes of recorded lengths inside the record, where they were free.
+    pub shifts: Vec<ShiftEstimate>,
     /// Proof of the least largest error, where that was asked for.
     pub certificate: Option<Certificate>,
     /// Number of samples that were fitted.

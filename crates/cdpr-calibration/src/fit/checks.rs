@@ -3,7 +3,7 @@
 use super::input_error::InputError;
 use super::settings::{Settings, prior_sigma};
 use cdpr_model::measurement::Samples;
-use cdpr_model::model::{FreeParameters, Model, RecordingParameter};
+use cdpr_model::model::{FreeParameters, LengthShift, Model, RecordingParameter, ShiftCourse};
 use cdpr_model::robot::Parameter;
 use cdpr_model::solve::not_positive;
 
@@ -80,8 +80,16 @@ fn check_rows(
 pub(crate) fn check_recording(free: &FreeParameters, settings: &Settings) -> Result<(), InputError> {
     let is_freed =
         |parameter: &RecordingParameter| free.names_recording(*parameter) && !settings.hold.names_recording(*parameter);
-    let freed = RecordingParameter::ALL.into_iter().find(is_freed);
-    freed.map_or(Ok(()), |parameter| Err(InputError::RecordingCost { name: parameter.name() }))
+    let freed = RecordingParameter::ALL.into_iter().find(is_freed).map(RecordingParameter::name);
+    let shifted = || free.first_length_shift(&settings.hold).map(ShiftCourse::known_name);
+    freed.or_else(shifted).map_or(Ok(()), |name| Err(InputError::RecordingCost { name }))
+}
+
+/// Refuses shifts of lengths that follow from motor angles by drums which are free themselves.
+pub(super) fn check_shifts(parameters: &[Parameter], shifts: &[LengthShift]) -> Result<(), InputError> {
+    let of_drum = parameters.iter().map(|parameter| parameter.kind).find(|kind| kind.needs_motor_angles());
+    let shift = shifts.first().map(ToString::to_string).unwrap_or_default();
+    of_drum.map_or(Ok(()), |kind| Err(InputError::ShiftOfAngles { shift, kind }))
 }
 
 /// Distance from a bound that is none, relative to the larger of bound and start value: steps to a bound end there to rounding.

@@ -276,6 +276,24 @@ pub enum InputError {
         /// The parameter of the recording.
         name: &'static str,
     },
+    /// A change of recorded lengths of which the samples tell nothing.
+    #[error(
+        "`{name}` is free, but the samples do not tell it: it takes rows of the fit before and after, and lengths or poses that do not change with it alike"
+    )]
+    ShiftUntold {
+        /// Name of the change.
+        name: String,
+    },
+    /// A change of recorded lengths beside drums that are identified from motor angles.
+    #[error(
+        "`{shift}` and `{kind}` are both free: recorded are motor angles, and lengths follow from them by the drum; identify one and hold the other"
+    )]
+    ShiftOfAngles {
+        /// Name of the change.
+        shift: String,
+        /// The parameter of the drum.
+        kind: ParameterKind,
+    },
     /// A start that predicts no pose.
     #[error(
         "sample {sample}: the model as given predicts no pose from the recorded lengths ({reason}): identify by lengths first, or mend the \

@@ -104,6 +104,7 @@ pub(crate) fn report(
         starts,
         clock_offset: None,
         frames: None,
+        shifts: Vec::new(),
         certificate: certificate.map(|certificate| certificate.in_metres(residual.unit())),
         samples: samples.len(),
         outlier_warning: outliers::warning(&outliers, samples.len(), loss),

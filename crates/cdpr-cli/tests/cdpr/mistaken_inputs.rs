@@ -195,6 +195,43 @@ fn answers_that_data_and_statics_deny_say_so() {
     }
 }
 
+/// A step that is told can be freed: what was not to be trusted converges, to the size that the generator gave it.
+#[test]
+fn a_step_is_taken_up_by_the_offset_that_its_finding_names() {
+    let Some(folder) = case("10-cable-reclamped") else { return };
+    let told = cdpr_in(folder.path(), "select robot.toml data-with-accuracies.csv");
+    assert!(told.exit_code == 1 && told.stdout.contains("`length-offset[3]@52` free takes it up"), "{}", told.stdout);
+    let free = "frame-anchor,length-offset,length-offset[3]@52";
+    let run = cdpr_in(
+        folder.path(),
+        &format!("identify robot.toml data-with-accuracies.csv --free {free} --format json --out fit.toml"),
+    );
+    let answer = run.json();
+    assert_eq!((run.exit_code, &answer["status"]), (0, &"converged".into()), "{}", answer["warnings"]);
+    let shift = &answer["length_shifts"][0];
+    let number = |key: &str| shift[key].as_f64().unwrap();
+    assert!((number("change_m") - 0.02).abs() < 4.0 * number("sigma_m") && number("sigma_m") < 5e-4, "{shift}");
+    assert!((number("length_offset_after_m") - number("length_offset_before_m") - number("change_m")).abs() < 1e-12);
+    assert_eq!(
+        (&shift["parameter"], &shift["line"], &shift["cable"]),
+        (&"length-offset[3]@52".into(), &52.into(), &3.into())
+    );
+    // the written robot is the machine of today
+    let written = std::fs::read_to_string(folder.path().join("fit.toml")).unwrap();
+    let third = written.split("[[cable]]").nth(3).unwrap();
+    let line = third.lines().find_map(|line| line.strip_prefix("length_offset_m = ")).unwrap();
+    assert!((line.parse::<f64>().unwrap() - number("length_offset_after_m")).abs() < 1e-9, "{line} {shift}");
+    // as a candidate it wins, with its change beside it
+    let both = format!("standard:frame-anchor,length-offset;standard:{free}");
+    let run = cdpr_in(
+        folder.path(),
+        &format!("select robot.toml data-with-accuracies.csv --candidates {both} --format json"),
+    );
+    let answer = run.json();
+    assert_eq!(answer["recommended"], format!("standard:{free}"), "{}", answer["reason"]);
+    assert_eq!(answer["length_shifts"].as_array().unwrap().len(), 1);
+}
+
 /// Clean data raise nothing, candidates are compared on the same samples, and the error of a prediction is held against what lengths and tracker allow.
 #[test]
 fn clean_and_noisy_data_get_the_right_model() {

@@ -28,6 +28,8 @@ pub struct Samples {
     pub time: Option<Vec<f64>>,
     /// Line of each sample in its file, from 1; `None` for samples without a file.
     pub lines: Option<Vec<usize>>,
+    /// True for samples that were appended from another record; `None` where all are of one.
+    pub appended: Option<Vec<bool>>,
     /// Angles rx, ry, rz, or the angle in the plane (rad), as in the file, which poses keep only up to full turns; `None`
     /// for poses with quaternions or without rotation.
     pub angles: Option<Vec<[f64; 3]>>,
@@ -114,6 +116,9 @@ impl Samples {
             set: None,
             time: joined(&self.time, &other.time),
             lines: self.lines.as_ref().zip(other.lines.as_ref()).map(|(a, b)| [a.as_slice(), b].concat()),
+            appended: Some(
+                (0..self.len()).map(|own| self.is_appended(own)).chain(other.poses.iter().map(|_| true)).collect(),
+            ),
             angles: self.angles.as_ref().zip(other.angles.as_ref()).map(|(a, b)| [a.as_slice(), b].concat()),
             sigmas: self.sigmas,
         })
@@ -122,6 +127,17 @@ impl Samples {
     /// Motor angles of one sample (rad) if they were recorded, otherwise its lengths (m).
     fn recorded_of(&self, sample: usize) -> &[f64] {
         &self.motor_angles.as_ref().unwrap_or(&self.lengths)[sample * self.cable_count..][..self.cable_count]
+    }
+
+    /// True if a sample was appended from another record.
+    pub fn is_appended(&self, sample: usize) -> bool {
+        self.appended.as_ref().is_some_and(|appended| appended[sample])
+    }
+
+    /// The samples as those of another record than that of a fit: later ones, whose lines are of another file.
+    #[must_use]
+    pub fn of_another_record(self) -> Self {
+        Self { appended: Some(vec![true; self.len()]), ..self }
     }
 
     /// Number of samples.
@@ -154,6 +170,7 @@ impl Samples {
             set: self.set.as_ref().map(|set| indices.iter().map(|&i| set[i].clone()).collect()),
             time: self.time.as_ref().map(|time| indices.iter().map(|&i| time[i]).collect()),
             lines: self.lines.as_ref().map(|lines| indices.iter().map(|&i| lines[i]).collect()),
+            appended: self.appended.as_ref().map(|appended| indices.iter().map(|&i| appended[i]).collect()),
             angles: self.angles.as_ref().map(|angles| indices.iter().map(|&i| angles[i]).collect()),
             sigmas: self.sigmas,
         }

@@ -1,11 +1,15 @@
 //! The `--free` language: the parameters that identification may change.
 
+#[cfg(test)]
+mod tests;
+
 use std::fmt;
 use std::str::FromStr;
 
 use thiserror::Error;
 
-use super::{Composition, Model, StretchEffect};
+use super::length_shifts::FreeShift;
+use super::{Composition, LengthShift, Model, ShiftCourse, StretchEffect};
 use crate::robot::{Head, Parameter, ParameterKind};
 
 /// Selection of parameters, free or held: kinds, each for all cables or for some.
@@ -15,6 +19,8 @@ pub struct FreeParameters {
     selections: Vec<(ParameterKind, Option<Vec<usize>>)>,
     /// Free quantities of the recording, in the order of [`RecordingParameter::ALL`].
     recording: Vec<RecordingParameter>,
+    /// Free changes of recorded lengths inside a record.
+    shifts: Vec<FreeShift>,
 }
 
 /// Parameter of a recording, not of its robot.
@@ -54,7 +60,9 @@ pub enum ParameterError {
         name: String,
     },
     /// Text around the brackets that cannot be read.
-    #[error("cannot read `{item}`: write NAME or NAME[1,3], separated by commas, cables counted from 1")]
+    #[error(
+        "cannot read `{item}`: write NAME or NAME[1,3], separated by commas, cables counted from 1; `length-offset@52` is a step from line 52 on"
+    )]
     Syntax {
         /// The item.
         item: String,
@@ -143,17 +151,18 @@ impl FreeParameters {
     /// Names of all parameters that may be free.
     pub fn known_names() -> impl Iterator<Item = &'static str> {
         let of_recording = RecordingParameter::ALL.into_iter().map(RecordingParameter::name);
-        of_recording.chain(ParameterKind::IDENTIFIED.into_iter().map(ParameterKind::name))
+        let of_record = of_recording.chain(ShiftCourse::NAMES);
+        of_record.chain(ParameterKind::IDENTIFIED.into_iter().map(ParameterKind::name))
     }
 
     /// A selection of these kinds for every cable.
     pub fn of(kinds: &[ParameterKind]) -> Self {
-        Self { selections: kinds.iter().map(|&kind| (kind, None)).collect(), recording: Vec::new() }
+        Self { selections: kinds.iter().map(|&kind| (kind, None)).collect(), ..Self::default() }
     }
 
     /// True if nothing is free.
     pub fn is_empty(&self) -> bool {
-        self.selections.is_empty() && self.recording.is_empty()
+        self.selections.is_empty() && self.recording.is_empty() && self.shifts.is_empty()
     }
 
     /// True if no parameter of the robot is free.
@@ -176,6 +185,36 @@ impl FreeParameters {
     pub fn with_recording(&self, parameters: &[RecordingParameter]) -> Self {
         let is_free = |free: &RecordingParameter| self.recording.contains(free) || parameters.contains(free);
         Self { recording: RecordingParameter::ALL.into_iter().filter(is_free).collect(), ..self.clone() }
+    }
+
+    /// Changes of recorded lengths that are free and not held, of a robot with so many cables, ordered by course and cable.
+    pub fn length_shifts(&self, hold: &Self, cable_count: usize) -> Result<Vec<LengthShift>, ParameterError> {
+        let all = self.shifts.iter().flat_map(|free| {
+            let cables = free.cables.clone().unwrap_or_else(|| (0..cable_count).collect());
+            cables.into_iter().map(|cable| LengthShift { cable, course: free.course })
+        });
+        let is_held = |shift: &LengthShift| hold.shifts.iter().any(|held| held.contains(*shift));
+        let mut shifts: Vec<LengthShift> = Vec::new();
+        for shift in all.filter(|shift| !is_held(shift)) {
+            if shift.cable >= cable_count {
+                let (kind, cable) = (ParameterKind::LengthOffset, shift.cable + 1);
+                return Err(ParameterError::NoSuchCable { kind, cable, cable_count });
+            }
+            if !shifts.contains(&shift) {
+                shifts.push(shift);
+            }
+        }
+        Ok(shifts)
+    }
+
+    /// Course of the first change of recorded lengths that is free and not held as a whole.
+    pub fn first_length_shift(&self, hold: &Self) -> Option<ShiftCourse> {
+        self.shifts.iter().find(|free| !hold.shifts.contains(free)).map(|free| free.course)
+    }
+
+    /// The selection without changes of recorded lengths inside a record.
+    pub fn without_length_shifts(&self) -> Self {
+        Self { shifts: Vec::new(), ..self.clone() }
     }
 
     /// True if this kind is free for a cable (0-based).
@@ -287,6 +326,10 @@ impl fmt::Display for FreeParameters {
             let comma = if index > 0 || !self.selections.is_empty() { "," } else { "" };
             write!(f, "{comma}{}", parameter.name())?;
         }
+        for (index, shift) in self.shifts.iter().enumerate() {
+            let is_first = index == 0 && self.selections.is_empty() && self.recording.is_empty();
+            write!(f, "{}{shift}", if is_first { "" } else { "," })?;
+        }
         Ok(())
     }
 }
@@ -296,14 +339,19 @@ impl FromStr for FreeParameters {
 
     /// Reads a text like `frame-anchor[1,3],length-offset`; empty text frees nothing.
     fn from_str(text: &str) -> Result<Self, Self::Err> {
-        let (mut selections, mut recording) = (Vec::new(), Vec::new());
+        let (mut selections, mut recording, mut shifts) = (Vec::new(), Vec::new(), Vec::new());
         let mut rest = text.trim();
         while !rest.is_empty() {
-            let end = rest.find([',', '[']).unwrap_or(rest.len());
+            let end = rest.find([',', '[', '@']).unwrap_or(rest.len());
             let word = rest[..end].trim();
             if let Some(parameter) = RecordingParameter::ALL.into_iter().find(|parameter| parameter.name() == word) {
                 recording.push(parameter);
                 rest = &rest[end..];
+            } else if let Some((shift, after)) = shift(rest, end) {
+                shifts.push(shift);
+                rest = after;
+            } else if rest[end..].starts_with('@') {
+                return Err(ParameterError::Syntax { item: rest.to_owned() });
             } else {
                 let kind = identified_kind(word)?;
                 let syntax = || ParameterError::Syntax { item: format!("{kind}{}", &rest[end..]) };
@@ -319,51 +367,14 @@ impl FromStr for FreeParameters {
                 None => return Err(ParameterError::Syntax { item: rest.to_owned() }),
             };
         }
-        Ok(Self { selections, recording: Vec::new() }.with_recording(&recording))
+        Ok(Self { selections, recording: Vec::new(), shifts }.with_recording(&recording))
     }
 }
 
-#[cfg(test)]
-mod tests {
-    use super::*;
-
-    #[test]
-    fn the_free_language_survives_the_round_trip() {
-        for text in [
-            "",
-            "frame-anchor",
-            "frame-anchor[1,3],length-offset",
-            "length-scale,pulley-radius[8]",
-            "compliance,wrench",
-            "clock-offset",
-            "frame-anchor[2],clock-offset",
-            "tracker-frame",
-            "frame-anchor,clock-offset,tracker-frame,marker-frame",
-        ] {
-            let free: FreeParameters = text.parse().unwrap();
-            assert_eq!(free.to_string(), text);
-        }
-    }
-
-    #[test]
-    fn what_is_not_the_language_is_refused() {
-        for text in [
-            "frame",
-            "frame-anchor[",
-            "frame-anchor[0]",
-            "frame-anchor[a]",
-            "frame-anchor]",
-            "length-offset,",
-            "frame-anchor[1]x",
-            "complience",
-            ",",
-            "clock-offset[1]",
-            "marker-frame[1]",
-            "tracker",
-            "frame-anchor[-1]",
-            "frame-anchor[99999999999999999999999]",
-        ] {
-            assert!(text.parse::<FreeParameters>().is_err(), "{text}");
-        }
-    }
+/// A change of recorded lengths at the beginning of a text, whose first word ends at a byte, with the rest; `None` where there is none.
+fn shift(text: &str, end: usize) -> Option<(FreeShift, &str)> {
+    let head = if text[end..].starts_with('[') { Head::read(text) } else { None };
+    let (cables, after) = head.map_or((None, &text[end..]), |head| (head.cables, head.rest));
+    let (course, rest) = ShiftCourse::read(text[..end].trim(), after)?;
+    Some((FreeShift { course, cables }, rest.trim_start()))
 }

@@ -1,5 +1,6 @@
-//! Frames of tracker and marker in sentences.
+//! Frames of tracker and marker, and changes of recorded lengths, in sentences.
 
+use cdpr_calibration::fit::ShiftEstimate;
 use cdpr_calibration::{FrameEstimate, RecordingFrames};
 
 /// A line for each frame with its deviations, and what fixes the robot's own frame.
@@ -17,6 +18,24 @@ pub(super) fn frame_words(frames: &RecordingFrames) -> String {
         ));
     }
     text
+}
+
+/// A line for each change of a cable's recorded lengths inside the record.
+pub(super) fn shift_words(shifts: &[ShiftEstimate]) -> String {
+    let line = |own: &ShiftEstimate| {
+        let place = match own.line() {
+            Some(line) => format!("from line {line} on"),
+            None => "over the record".to_owned(),
+        };
+        let [change, sigma, before, after] =
+            [own.change, own.sigma, own.offset_before(), own.offset_after].map(|metres| 1e3 * metres);
+        format!(
+            "{}: recorded lengths change by {change:+.2} ± {sigma:.2} mm {place}; length offset {before:.2} mm before, {after:.2} mm after, which the calibrated \
+             robot has\n",
+            own.shift
+        )
+    };
+    shifts.iter().map(line).collect()
 }
 
 fn numbers(frame: &FrameEstimate) -> String {

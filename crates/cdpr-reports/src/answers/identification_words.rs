@@ -7,7 +7,7 @@ use cdpr_model::finding::Severity;
 
 use super::Answer;
 use super::error_table::{Source, error_table};
-use super::frame_words::frame_words;
+use super::frame_words::{frame_words, shift_words};
 use super::identification_answer::IdentificationAnswer as Identified;
 use super::reduction_answer::ReductionAnswer;
 use super::start_words::start_words;
@@ -58,6 +58,9 @@ fn of(answer: &Identified, width: Option<usize>) -> String {
     }
     if let Some(frames) = &fit.frames {
         text.push_str(&format!("\n{}", frame_words(frames)));
+    }
+    if !fit.shifts.is_empty() {
+        text.push_str(&format!("\n{}", shift_words(&fit.shifts)));
     }
     text.extend(answer.course.iter().map(|course| course.words(width)));
     text.push_str(&answer.uncertainty.words(width));

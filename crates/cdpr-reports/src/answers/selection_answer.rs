@@ -1,12 +1,15 @@
 //! The answer of a comparison of candidates.
 
+use cdpr_calibration::fit::ShiftEstimate;
 use cdpr_calibration::selection::{JudgedCandidate, Judgement, SelectionCriterion, Warnings};
 use cdpr_calibration::{Coverage, Outlier, RecordingFrames, Verdict, coverage};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::RatingAnswer;
-use crate::keys::{CoverageKeys, Each, JudgementKeys, Maybe, OutlierKeys, RecordingFrameKeys, WarningKeys, Word};
+use crate::keys::{
+    CoverageKeys, Each, JudgementKeys, Maybe, OutlierKeys, RecordingFrameKeys, ShiftKeys, WarningKeys, Word,
+};
 use crate::report::Report;
 
 /// Candidates with their errors on data held out, and the choice among them; keys and units as in `result.json`.
@@ -59,6 +62,9 @@ pub struct SelectionAnswer<'a> {
     #[serde(flatten, with = "Maybe::<RecordingFrameKeys>")]
     #[schemars(with = "Option<RecordingFrameKeys>")]
     pub frames: Option<&'a RecordingFrames>,
+    /// Changes of recorded lengths inside the record, of the same candidate, where they were free.
+    #[serde(rename = "length_shifts", with = "Each::<ShiftKeys>", skip_serializing_if = "<[_]>::is_empty")]
+    pub shifts: &'a [ShiftEstimate],
     /// Seed of the bootstrap.
     pub seed: u64,
     /// Warnings for the reader, doubts about the outcome first.
@@ -176,6 +182,7 @@ impl<'a> SelectionAnswer<'a> {
             coverage: coverage(told.robot, told.samples, told.folds),
             outliers: shown.map_or(&[], |judgement| &judgement.fit.outliers),
             frames: shown.and_then(|judgement| judgement.fit.frames.as_ref()),
+            shifts: shown.map_or(&[], |judgement| &judgement.fit.shifts),
             seed: told.seed,
             warnings,
             candidates,

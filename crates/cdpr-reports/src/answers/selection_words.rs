@@ -4,7 +4,7 @@ use cdpr_calibration::Verdict;
 use cdpr_calibration::selection::SelectionCriterion;
 
 use super::error_table::convergence_remark;
-use super::frame_words::frame_words;
+use super::frame_words::{frame_words, shift_words};
 use super::identification_words::doubt_words;
 use super::rating_answer::{above_least, has_others, largest};
 use super::{Answer, AsGiven, SelectionAnswer};
@@ -39,6 +39,7 @@ impl Answer for SelectionAnswer<'_> {
         if let Some(frames) = self.frames {
             frame_words(frames).lines().for_each(|line| text.push_str(&format!("  {line}\n")));
         }
+        shift_words(self.shifts).lines().for_each(|line| text.push_str(&format!("  {line}\n")));
         if !self.untried.is_empty() {
             text.push_str(&format!("  not among the candidates: {}\n", self.untried.join("; ")));
         }

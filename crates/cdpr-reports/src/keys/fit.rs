@@ -1,6 +1,6 @@
 //! Fits: parameters, what the data tell of them, and the way to the optimum.
 
-use cdpr_calibration::fit::{Estimate, Fit};
+use cdpr_calibration::fit::{Estimate, Fit, ShiftEstimate};
 use cdpr_calibration::{
     ActiveSample, Analysis, Certificate, Correlation, FrameEstimate, Gauge, Loss, Outlier, RecordingFrames,
     StartOptimum, Starts, StoppedBy,
@@ -103,6 +103,43 @@ pub(crate) struct RecordingFrameKeys {
     gauge: Gauge,
 }
 
+/// Change of a cable's recorded lengths inside the record.
+#[derive(Serialize, JsonSchema)]
+#[serde(remote = "ShiftEstimate")]
+#[schemars(rename = "LengthShift")]
+pub(crate) struct ShiftKeys {
+    /// Name, e.g. `length-offset[3]@52` or `length-drift[3]`.
+    #[serde(getter = "shift_name")]
+    parameter: String,
+    /// Cable, counted from 1.
+    #[serde(getter = "shift_cable")]
+    cable: usize,
+    /// Line of the data file from which on lengths are changed, the header being line 1; null of a drift.
+    #[serde(getter = "ShiftEstimate::line")]
+    line: Option<usize>,
+    /// Change of the recorded length, after the line less before it, or over the record.
+    #[serde(rename = "change_m")]
+    change: f64,
+    #[serde(rename = "sigma_m")]
+    sigma: f64,
+    #[serde(getter = "ShiftEstimate::offset_before")]
+    length_offset_before_m: f64,
+    /// Length offset that the calibrated robot has.
+    #[serde(rename = "length_offset_after_m")]
+    offset_after: f64,
+    /// Speed of a drift; null of a step, or where rows have no times.
+    #[serde(getter = "ShiftEstimate::rate")]
+    rate_m_per_s: Option<f64>,
+}
+
+fn shift_name(estimate: &ShiftEstimate) -> String {
+    estimate.shift.to_string()
+}
+
+fn shift_cable(estimate: &ShiftEstimate) -> usize {
+    estimate.shift.cable + 1
+}
+
 /// Parameters of a fit with what the data tell of them.
 #[derive(Serialize, JsonSchema)]
 #[serde(remote = "Fit")]
@@ -139,6 +176,9 @@ pub(crate) struct CandidateFitKeys {
     #[serde(flatten, with = "Maybe::<RecordingFrameKeys>")]
     #[schemars(with = "Option<RecordingFrameKeys>")]
     frames: Option<RecordingFrames>,
+    /// Changes of recorded lengths inside the record, where they were free.
+    #[serde(rename = "length_shifts", with = "Each::<ShiftKeys>", skip_serializing_if = "Vec::is_empty")]
+    shifts: Vec<ShiftEstimate>,
 }
 
 /// Fit without measured poses.
@@ -197,6 +237,7 @@ tables!(
     OutlierKeys: Outlier,
     FrameKeys: FrameEstimate,
     RecordingFrameKeys: RecordingFrames,
+    ShiftKeys: ShiftEstimate,
 );
 
 keys! {

@@ -22,7 +22,7 @@ mod workspace;
 pub(crate) use adapters::{Each, FromOne, Keys, Maybe, Shown, Word};
 pub(crate) use design::{PlanKeys, PredictedKeys};
 pub(crate) use errors::{ErrorBlockKeys, LengthErrorKeys, PoseErrorKeys, TensionErrorKeys};
-pub(crate) use fit::{OutlierKeys, RecordingFrameKeys};
+pub(crate) use fit::{OutlierKeys, RecordingFrameKeys, ShiftKeys};
 pub(crate) use identification::{ComparisonKeys, IdentificationKeys, OptimumKeys, SelfCalibrationKeys};
 pub(crate) use parameters::{
     ConditioningKeys, CourseStepKeys, PathParameterKeys, PathPointKeys, ProfileKeys, ReductionKeys, ResampledKeys,

@@ -4,7 +4,7 @@ use super::need::frames_that_fit;
 use super::search::{AT_OPTIMUM, find};
 use super::{start, uncertainty};
 use crate::clock;
-use crate::fit::{Fit, InputError, Settings, Status};
+use crate::fit::{Fit, InputError, Settings, Status, shifts};
 use crate::stopping::{StoppedBy, StoppingRule};
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::{FreeParameters, Model, RecordingParameter};
@@ -62,10 +62,17 @@ impl Fit {
         self.frames.as_ref().map_or_else(|| samples.clone(), |found| found.frames.apply(samples))
     }
 
-    /// Samples as this fit takes them: [`Fit::in_robot_frame`], at the times of the winches where it freed the offset of the clocks.
+    /// Samples as this fit takes them: [`Fit::in_robot_frame`], at the times of the winches where it freed the offset of the clocks, with lengths as at the
+    /// end of the record where it freed their changes.
     pub fn as_fitted(&self, samples: &Samples) -> Samples {
-        let samples = self.in_robot_frame(samples);
-        self.clock_offset.map_or_else(|| samples.clone(), |clock| clock::synchronised(&samples, clock.seconds))
+        let mut samples = self.in_robot_frame(samples);
+        if let Some(clock) = self.clock_offset {
+            samples = clock::synchronised(&samples, clock.seconds);
+        }
+        match (self.shifts.as_slice(), self.model.with_lengths(&samples)) {
+            ([], _) | (_, Err(_)) => samples,
+            (shifts, Ok(with_lengths)) => shifts::undone(&with_lengths, shifts),
+        }
     }
 }
 

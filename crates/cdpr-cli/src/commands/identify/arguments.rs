@@ -42,7 +42,8 @@ with pulleys pulley-radius, swivel-axis; with recorded motor angles drum-radius,
 with an elastic model and recorded tensions also compliance (1/EA), hidden-length, wrench (constant, weight included), \
 tension-scale, tension-offset, without poses these three of rigid models, too; ",
     "\
-with times (t_s) clock-offset; of the tracker tracker-frame, marker-frame; `frame-anchor[1,3]` frees cables 1 and 3 only",
+with times (t_s) clock-offset; of the tracker tracker-frame, marker-frame; inside the record `length-offset[3]@52`, a step of cable 3 from \
+line 52 on, and length-drift; `frame-anchor[1,3]` frees cables 1 and 3 only",
 ];
 
 /// Parameters to identify, with the numbers of every law of stretch.
