@@ -21,7 +21,7 @@ const TWO_LOADS: f64 = 1.15;
 /// Standard errors by which they have to differ.
 const SURE: f64 = 6.0;
 /// Load beside the sum of the tensions, below which errors of load cells tell more than the load.
-const LEAST_OF_TENSIONS: f64 = 0.1;
+pub(super) const LEAST_OF_TENSIONS: f64 = 0.1;
 /// Poses at which statics is asked, and the fraction of them without an answer from which on the model hangs where nothing can.
 const ASKED: usize = 20;
 const MOST_WITHOUT: f64 = 0.9;
@@ -67,7 +67,7 @@ impl Weighed {
 }
 
 /// Weight and constant force of a robot along gravity (N), where its file states it and does not call it an assumption.
-fn stated_weight(robot: &Robot) -> Option<f64> {
+pub(super) fn stated_weight(robot: &Robot) -> Option<f64> {
     let assumed = ["mass_kg", "force_N", "gravity_m_s2"];
     if robot.assumptions.iter().any(|assumption| assumed.contains(&assumption.plain_key())) {
         return None;

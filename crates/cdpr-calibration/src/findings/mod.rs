@@ -1,6 +1,7 @@
 //! Findings: the data, the file's own numbers and statics as witnesses against a fitted model.
 
 mod cause;
+mod center_of_mass;
 mod examined;
 mod load;
 mod numbers;
@@ -20,6 +21,10 @@ use cdpr_model::measurement::mix_ups;
 /// do not show.
 pub fn findings(examined: &Examined<'_>) -> Vec<Finding> {
     let mut found = load::findings(examined);
+    // the place of a load that is another one is not asked
+    if found.is_empty() {
+        found.extend(center_of_mass::finding(examined));
+    }
     found.extend(scan::finding(examined));
     found.extend(numbers::findings(examined));
     found.extend(load::gravity(examined));

@@ -6,6 +6,8 @@ use cdpr_calibration::{Examined, Fit, findings, screened};
 use cdpr_model::finding::{Finding, FindingKind, Severity};
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::{Composition, Model};
+use cdpr_model::statics::Load;
+use cdpr_model::tension::{Limits, closed_form};
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, StandardNormal};
@@ -108,6 +110,54 @@ fn winches_that_were_set_anew_are_named() {
     let first = &found(&samples, &held_out)[0];
     assert_eq!((first.kind, first.severity), (FindingKind::Offset, Severity::Distrust), "{first:?}");
     assert!((first.value.unwrap() - 0.01).abs() < 1e-3, "{first:?}");
+}
+
+/// Tensions of a platform whose center of mass is 0.2 m off the file's, between 1 and 9 kN with the noise of load cells; `off` 0 is clean.
+fn hanging(off: f64, seed: u64) -> (Model, Samples) {
+    let mut robot = start().robot().clone();
+    robot.external_wrench = None;
+    robot.gravity = Some(nalgebra::Vector3::new(0.0, 0.0, -9.81));
+    robot.platform.mass = Some(600.0);
+    robot.platform.center_of_mass = Some(nalgebra::Vector3::zeros());
+    let file = Model::new(robot.clone(), Composition::STANDARD).unwrap();
+    robot.platform.center_of_mass = Some(nalgebra::Vector3::new(off, 0.0, 0.0));
+    let machine = Model::new(robot, Composition::STANDARD).unwrap();
+    let load = Load::of(machine.robot()).unwrap();
+    let mut random = ChaCha8Rng::seed_from_u64(seed);
+    let mut samples = clean(seed);
+    let near = Limits::uniform(8, 1000.0, 9000.0).unwrap();
+    let tensions: Vec<f64> = samples
+        .poses
+        .iter()
+        .flat_map(|pose| {
+            let matrix = machine.structure_matrix(pose).unwrap();
+            closed_form::solve(&matrix, load.in_pattern(&machine, pose).as_slice(), &near).unwrap().tensions
+        })
+        .map(|tension| {
+            let noise: f64 = StandardNormal.sample(&mut random);
+            tension + 50.0 * noise
+        })
+        .collect();
+    samples.tensions = Some(tensions);
+    (file, samples)
+}
+
+/// Load cells see where the load hangs: to 20 mm, and nothing where it hangs as the file says.
+#[test]
+fn a_center_of_mass_that_load_cells_deny_is_named() {
+    for (seed, off) in [(1, 0.0), (2, 0.0), (3, 0.2), (4, -0.2)] {
+        let (file, samples) = hanging(off, seed);
+        let fit = fit(&file, &samples, &"frame-anchor,length-offset".parse().unwrap(), &Settings::default()).unwrap();
+        let (given, position_error) = (file.robot(), 1e-3);
+        let all =
+            findings(&Examined { given, samples: &samples, held_out: &[], fit: &fit, richest: &fit, position_error });
+        let load: Vec<&Finding> = all.iter().filter(|finding| finding.kind == FindingKind::Load).collect();
+        match load[..] {
+            [] => assert_eq!(off, 0.0, "{all:?}"),
+            [first] => assert!((first.value.unwrap() - off.abs()).abs() < 0.02 && off != 0.0, "{first:?}"),
+            _ => panic!("{load:?}"),
+        }
+    }
 }
 
 /// Noise of lengths that follows a first-order autoregression: intervals hold 90 to 98 % up to a correlation of 0.9 of neighbouring rows, and 93 to 97 %

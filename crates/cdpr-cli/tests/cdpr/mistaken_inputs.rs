@@ -232,6 +232,25 @@ fn a_step_is_taken_up_by_the_offset_that_its_finding_names() {
     assert_eq!(answer["length_shifts"].as_array().unwrap().len(), 1);
 }
 
+/// Lengths fit wherever the load hangs; poses that only gravity holds say that it hangs elsewhere.
+#[test]
+fn a_center_of_mass_that_is_elsewhere_is_named() {
+    let Some(folder) = case("23-underconstrained-clean-false-alarm") else { return };
+    let path = folder.path().join("robot.toml");
+    let text = std::fs::read_to_string(&path).unwrap();
+    let told = "center_of_mass_m = [0.0, 0.0, -0.1]";
+    assert!(text.contains(told));
+    for (center, severity) in [("0.06, -0.03, -0.1", "caution"), ("0.3, 0.0, -0.1", "distrust")] {
+        std::fs::write(&path, text.replace(told, &format!("center_of_mass_m = [{center}]"))).unwrap();
+        let run = cdpr_in(folder.path(), "select robot.toml data.csv --validation validation.csv --format json");
+        let (answer, first) = (run.json(), run.json()["findings"][0].clone());
+        assert_eq!((&first["kind"], run.exit_code), (&"load".into(), 1), "{}", answer["findings"]);
+        assert!(first["severity"] == severity || answer["trusted"] == false, "{first}");
+        let words = first["text"].as_str().unwrap();
+        assert!(words.contains("center of mass at (") && first["explains"].as_f64().unwrap() > 0.9, "{first}");
+    }
+}
+
 /// Clean data raise nothing, candidates are compared on the same samples, and the error of a prediction is held against what lengths and tracker allow.
 #[test]
 fn clean_and_noisy_data_get_the_right_model() {
