@@ -105,6 +105,7 @@ fn write_differences(judgements: &mut [&mut Judgement], common: &[usize], compar
     let groups: Vec<usize> = common.iter().map(|place| group(place).unwrap_or(*place)).collect();
     for (judgement, own) in compared.iter_mut().zip(&series) {
         judgement.is_compared_by_distance = comparing.compared.is_distance();
+        judgement.is_compared_by_pose = matches!(comparing.compared, Compared::Pose(_));
         judgement.difference = Some(Difference::to_best(&series[best], own, &groups, comparing.settings.seed));
     }
 }
