@@ -154,7 +154,7 @@ export interface CommandedSamples {
   total: number;
 }
 
-/** Error by which a candidate is compared with the best one (SI). */
+/** Error by which a candidate is compared with the best one. */
 export interface Compared {
   /** True where the candidate is as good as the best. */
   as_good_as_best: boolean;
@@ -168,6 +168,8 @@ export interface Compared {
   difference_standard_error: number | null;
   /** Mean over the samples. */
   mean: number | null;
+  /** Unit of the numbers. */
+  unit: string;
 }
 
 /** Ranges of the poses, and the validation samples that lie beyond those of their fit. */

@@ -47,8 +47,8 @@ pub struct Judgement {
     pub compared_mean: f64,
     /// Difference of these errors to those of the best candidate; `None` for one that is not compared.
     pub difference: Option<Difference>,
-    /// True where these errors are distances (m).
-    pub is_compared_by_distance: bool,
+    /// Unit of these errors: m, rad or N.
+    pub compared_unit: &'static str,
     /// True where they are those of the whole pose, not of the criterion.
     pub is_compared_by_pose: bool,
     /// Reason why nobody should rely on the candidate's parameters; `None` for a sound one.
@@ -97,7 +97,7 @@ impl Judgement {
             standard_error: f64::NAN,
             compared_mean: f64::NAN,
             difference: None,
-            is_compared_by_distance: false,
+            compared_unit: "m",
             is_compared_by_pose: false,
             unsound: None,
             compared_samples: 0,
@@ -147,6 +147,7 @@ impl Judgement {
         let (mean, difference) = (self.compared_mean, self.difference?);
         let best_mean = mean - difference.mean;
         Some(ComparedError {
+            unit: self.compared_unit,
             is_of_pose: self.is_compared_by_pose,
             mean,
             difference,
@@ -156,9 +157,11 @@ impl Judgement {
     }
 }
 
-/// Error by which a candidate is compared with the best one on the same samples (SI).
+/// Error by which a candidate is compared with the best one on the same samples.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct ComparedError {
+    /// Unit of its numbers: m, rad or N.
+    pub unit: &'static str,
     /// True where it is the error of the whole pose (m), false where it is that of the criterion.
     pub is_of_pose: bool,
     /// Mean over the samples.

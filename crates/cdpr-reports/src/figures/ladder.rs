@@ -323,7 +323,7 @@ mod tests {
         let as_good_within = standard_error.max(0.01 * (mean - difference));
         let is_as_good = difference <= as_good_within;
         let difference = Difference { mean: difference, standard_error };
-        let compared = Some(ComparedError { is_of_pose, mean, difference, as_good_within, is_as_good });
+        let compared = Some(ComparedError { unit: "m", is_of_pose, mean, difference, as_good_within, is_as_good });
         NamedError { name, compared }
     }
 

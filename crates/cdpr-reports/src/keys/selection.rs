@@ -106,12 +106,14 @@ struct Fold {
     errors: ErrorBlocks,
 }
 
-/// Error by which a candidate is compared with the best one (SI).
+/// Error by which a candidate is compared with the best one.
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "Compared", transform = nullable_numbers)]
 struct Compared {
     /// Error: `pose` (distance and turn of the platform anchors together, m) or `criterion`.
     by: &'static str,
+    /// Unit of the numbers.
+    unit: &'static str,
     /// Mean over the samples.
     mean: f64,
     /// Difference to that of the best.
@@ -195,11 +197,11 @@ fn status(judgement: &Judgement) -> &'static str {
 }
 
 fn difference_m(judgement: &Judgement) -> Option<f64> {
-    judgement.difference.filter(|_| judgement.is_compared_by_distance).map(|difference| difference.mean)
+    judgement.difference.filter(|_| judgement.compared_unit == "m").map(|difference| difference.mean)
 }
 
 fn difference_standard_error_m(judgement: &Judgement) -> Option<f64> {
-    let difference = judgement.difference.filter(|_| judgement.is_compared_by_distance)?;
+    let difference = judgement.difference.filter(|_| judgement.compared_unit == "m")?;
     Some(difference.standard_error).filter(|error| error.is_finite())
 }
 
@@ -207,6 +209,7 @@ fn compared(judgement: &Judgement) -> Option<Compared> {
     let found = judgement.compared_error()?;
     Some(Compared {
         by: if found.is_of_pose { "pose" } else { "criterion" },
+        unit: found.unit,
         mean: found.mean,
         difference: found.difference.mean,
         difference_standard_error: found.difference.standard_error,

@@ -1,7 +1,7 @@
 //! The figures as drawings.
 
 use cdpr_calibration::Difference;
-use cdpr_calibration::selection::ComparedError;
+use cdpr_calibration::selection::{ComparedError, SelectionCriterion};
 
 use super::numbers::{CandidateData, ComparedData};
 use super::{FigureFile, SampleData, SavedResult};
@@ -31,16 +31,25 @@ pub(super) fn all(data: &SavedResult) -> Vec<FigureFile> {
 }
 
 fn ladder<'a>(data: &'a SavedResult) -> Option<Figure> {
-    let named = |own: &'a CandidateData| NamedError { name: &own.name, compared: own.compared.as_ref().map(compared) };
+    let unit = match data.criterion {
+        SelectionCriterion::Rotation => "rad",
+        SelectionCriterion::Tension => "N",
+        _ => "m",
+    };
+    let named = |own: &'a CandidateData| NamedError {
+        name: &own.name,
+        compared: own.compared.as_ref().map(|own| compared(own, unit)),
+    };
     let all: Vec<_> = data.candidates.iter().map(named).collect();
     let recommended = data.candidates.iter().position(|own| Some(&own.name) == data.recommended.as_ref());
     Ladder::of(data.criterion, "validation data", &all, recommended).svg()
 }
 
-fn compared(data: &ComparedData) -> ComparedError {
+fn compared(data: &ComparedData, unit: &'static str) -> ComparedError {
     let number = |value: Option<f64>| value.unwrap_or(f64::NAN);
     let [mean, standard_error] = [data.difference, data.difference_standard_error].map(number);
     ComparedError {
+        unit,
         is_of_pose: data.by == "pose",
         mean: number(data.mean),
         difference: Difference { mean, standard_error },
