@@ -46,6 +46,8 @@ export interface Candidate {
   cautions?: string[];
   /** How late poses are recorded, where the offset of the clocks was free. */
   clock_offset_s?: number | null;
+  /** Error by which candidates are compared, on the same samples as that of the best; null for one that is not compared. */
+  compared?: Compared | null;
   /** Validation samples that criterion and standard error are of. */
   compared_samples?: number;
   condition?: number | null;
@@ -152,6 +154,24 @@ export interface CommandedSamples {
   tensions_N: (number[] | null)[];
   /** Poses of the study; more than are listed where the list was thinned out. */
   total: number;
+}
+
+/** Error by which a candidate is compared with the best one. */
+export interface Compared {
+  /** True where the candidate is as good as the best. */
+  as_good_as_best: boolean;
+  /** Largest difference that is none. */
+  as_good_within: number | null;
+  /** Error: `pose` (distance and turn of the platform anchors together, m) or `criterion`. */
+  by: string;
+  /** Difference to that of the best. */
+  difference: number | null;
+  /** Standard error of the difference. */
+  difference_standard_error: number | null;
+  /** Mean over the samples. */
+  mean: number | null;
+  /** Unit of the numbers. */
+  unit: string;
 }
 
 /** Ranges of the poses, and the validation samples that lie beyond those of their fit. */

@@ -48,6 +48,7 @@ Tasks:
   soak --poseless N    calibrations without measured poses of N seeds, judged by SciPy; --seed S begins there
   soak --dirty N       measurement files spoilt in thirty ways, of N seeds: the table of what `select` notices; --seed S, --without-kept,
                        --only TEXT, --unnamed, --keep, --command PATH
+  soak --choices       what `select` recommends on 240 clean records of known truth: counts with the seeds that miss; --seed S, --command, --keep
   golden               compare the command's answers to all calls of the corpus with the committed ones
   golden --part        the part of it that `test` runs; --only GROUP groups of it; --times, --keep to look closer
   golden --accept      make them the committed ones; --command PATH asks another command than that of the build for release

@@ -1,5 +1,5 @@
 //! Random tests with fresh seeds for as long as one likes: `cargo xtask soak --minutes N [--seed S]`, or records without poses of as many seeds: `cargo xtask soak --poseless N [--seed S]`; or
-//! spoilt records: `cargo xtask soak --dirty N [--seed S]`.
+//! spoilt records: `cargo xtask soak --dirty N [--seed S]`; or what is chosen on 220 clean records: `cargo xtask soak --choices [--seed S]`.
 //!
 //! The whole golden corpus once, then rounds of the library's property tests (their cases follow `CDPR_SEED` and `CDPR_CASES`, read by
 //! `crates/cdpr-testing/src/property.rs` alone), of random robots through the command, of calibrations without measured poses that SciPy judges, and of the fuzz targets where
@@ -65,7 +65,7 @@ struct Wishes {
 
 /// Runs rounds until the time is up; an error where something was found.
 pub(crate) fn run(root: &Path, words: &[&str]) -> Result<(), String> {
-    if words.contains(&"--dirty") {
+    if words.contains(&"--dirty") || words.contains(&"--choices") {
         return dirty::run(root, words);
     }
     let wishes = Wishes::of(words)?;
@@ -127,7 +127,7 @@ impl Wishes {
                 }
                 other => {
                     return Err(format!(
-                        "soak takes --minutes N, --poseless N, --dirty N and --seed S, not `{}`",
+                        "soak takes --minutes N, --poseless N, --dirty N, --choices and --seed S, not `{}`",
                         other.join(" ")
                     ));
                 }

@@ -32,8 +32,13 @@ impl Difference {
     /// True where the candidate is as good as the best, whose mean error is given: the difference is within one standard error, or below a hundredth of
     /// that mean.
     pub(crate) fn is_none(self, best_mean: f64) -> bool {
+        self.mean <= self.largest_none(best_mean)
+    }
+
+    /// The largest difference that is none.
+    pub(crate) fn largest_none(self, best_mean: f64) -> f64 {
         let error = if self.standard_error.is_finite() { self.standard_error } else { 0.0 };
-        self.mean <= error.max(OF_NO_USE * best_mean)
+        error.max(OF_NO_USE * best_mean)
     }
 }
 
@@ -85,6 +90,10 @@ mod tests {
         let of = |other: &[f64]| Difference::to_best(&best, other, &whole, 3);
         assert!((of(&worse).mean - 0.06).abs() < 1e-3 && !of(&worse).is_none(1.5));
         assert!(of(&alike).is_none(1.5) && !of(&alike).is_none(0.5));
+        assert_eq!(
+            [of(&alike), of(&worse)].map(|one| one.largest_none(1.5)),
+            [0.015, of(&worse).standard_error.max(0.015)]
+        );
         let (place, as_good) = as_good_as_best(&[worse, best.clone(), Vec::new(), alike], &whole, 3).unwrap();
         assert_eq!((place, as_good), (1, vec![false, true, false, true]));
     }

@@ -18,7 +18,7 @@ mod without_poses;
 mod worse;
 
 pub use criterion::SelectionCriterion;
-pub use judgement::{CandidateFailure, HeldOut, JudgedCandidate, Judgement};
+pub use judgement::{CandidateFailure, ComparedError, HeldOut, JudgedCandidate, Judgement};
 pub use preferences::Preference;
 pub use rating::Rating;
 use std::ops::ControlFlow;

@@ -20,6 +20,8 @@ pub(crate) struct Found {
 pub(crate) struct Answer {
     pub(crate) exit: i32,
     pub(crate) status: String,
+    /// Name of the recommended candidate.
+    pub(crate) recommended: Option<String>,
     /// Code of a refusal, and its words.
     pub(crate) code: String,
     pub(crate) reason: String,
@@ -45,6 +47,7 @@ impl Answer {
         Ok(Self {
             exit,
             status: word("status"),
+            recommended: answer["recommended"].as_str().map(str::to_owned),
             code: word("code"),
             reason: format!("{} {}", word("reason"), word("help")),
             findings: findings.unwrap_or_default(),

@@ -1,10 +1,12 @@
 //! Measurement files spoilt in thirty ways by a simulation that shares no code with the product, and what the command `cdpr select` says of
-//! them. Started by `cargo xtask soak --dirty N`, and with `--fixed` by `cargo xtask test`.
+//! them. Started by `cargo xtask soak --dirty N`, and with `--fixed` by `cargo xtask test`. `cargo xtask soak --choices` counts what is chosen on clean records.
 #![expect(clippy::print_stdout, clippy::print_stderr, reason = "a terminal program that talks to its developer")]
 
 mod answer;
 mod cells;
+mod choices;
 mod geometry;
+mod in_turn;
 mod kinds;
 mod options;
 mod pose;
@@ -20,11 +22,9 @@ mod verdict;
 mod written;
 
 use std::process::ExitCode;
-use std::sync::Mutex;
-use std::sync::atomic::{AtomicUsize, Ordering};
-use std::thread;
 use std::time::Instant;
 
+use in_turn::in_turn;
 use options::Options;
 use trial::{Bench, Cell, Outcome};
 
@@ -43,9 +43,29 @@ fn main() -> ExitCode {
     }
 }
 
-/// Runs the cells that are asked for and prints the table; complaints about limits that are not kept.
+/// Runs the cells, or the choices, that are asked for and prints what they come to; complaints about limits that are not kept.
 fn check(options: &Options) -> Result<Vec<String>, String> {
     let command = &options.command;
+    let bench = Bench {
+        command: command.canonicalize().map_err(|error| format!("{}: {error}", command.display()))?,
+        folder: std::env::temp_dir().join(format!("cdpr-dirty-{}", std::process::id())),
+        keep: options.keep,
+    };
+    let start = Instant::now();
+    let complaints = match options.choices {
+        true => choices::check(&bench, options.first),
+        false => check_cells(options, &bench)?,
+    };
+    match bench.keep {
+        true => println!("files: {}", bench.folder.display()),
+        // of a folder of our own; the next run has another
+        false => drop(std::fs::remove_dir_all(&bench.folder)),
+    }
+    println!("\ndirty: {:.1} s", start.elapsed().as_secs_f64());
+    Ok(complaints)
+}
+
+fn check_cells(options: &Options, bench: &Bench) -> Result<Vec<String>, String> {
     let cells = if options.fixed { cells::fixed() } else { cells::all(options.first, options.seeds) };
     let wants = |cell: &Cell| {
         let is_open = !(options.without_kept && cell.kind.kept);
@@ -55,48 +75,21 @@ fn check(options: &Options) -> Result<Vec<String>, String> {
     if cells.is_empty() {
         return Err("no cell has such a name; they are called KIND/ROBOT/SEED".to_owned());
     }
-    let bench = Bench {
-        command: command.canonicalize().map_err(|error| format!("{}: {error}", command.display()))?,
-        folder: std::env::temp_dir().join(format!("cdpr-dirty-{}", std::process::id())),
-        keep: options.keep,
-    };
-    let start = Instant::now();
-    let (outcomes, mut complaints) = run(&cells, &bench);
-    match bench.keep {
-        true => println!("files: {}", bench.folder.display()),
-        // of a folder of our own; the next run has another
-        false => drop(std::fs::remove_dir_all(&bench.folder)),
-    }
+    let (outcomes, mut complaints) = run(&cells, bench);
     println!("{}", table::text(&outcomes));
     let single = table::single_cells(&outcomes, options.unnamed || options.fixed || options.only.is_some());
     if !single.is_empty() {
         println!("\n{}", single.join("\n"));
     }
-    println!("\ndirty: {} cells, {:.1} s", outcomes.len(), start.elapsed().as_secs_f64());
+    println!("\n{} cells", outcomes.len());
     complaints.extend(table::complaints(&outcomes));
     Ok(complaints)
 }
 
 /// Outcomes in the order of the cells, and complaints about cells without one.
 fn run(cells: &[Cell], bench: &Bench) -> (Vec<Outcome>, Vec<String>) {
-    let (next, done) = (AtomicUsize::new(0), Mutex::new(Vec::new()));
-    let work = || {
-        while let Some(cell) = cells.get(next.fetch_add(1, Ordering::Relaxed)) {
-            let outcome = (cell.name(), cell.run(bench));
-            if let Ok(mut done) = done.lock() {
-                done.push(outcome);
-            }
-        }
-    };
-    thread::scope(|scope| {
-        let workers = thread::available_parallelism().map_or(1, usize::from);
-        (0..workers).for_each(|_| drop(scope.spawn(work)));
-    });
-    let order = |name: &str| cells.iter().position(|cell| cell.name() == name);
-    let mut done = done.into_inner().unwrap_or_default();
-    done.sort_by_key(|(name, _)| order(name));
     let (mut outcomes, mut complaints) = (Vec::new(), Vec::new());
-    for (_, outcome) in done {
+    for outcome in in_turn(cells, |cell| cell.run(bench)) {
         match outcome {
             Ok(outcome) => outcomes.push(outcome),
             Err(complaint) => complaints.push(complaint),

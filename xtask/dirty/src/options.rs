@@ -11,6 +11,8 @@ pub(crate) struct Options {
     pub(crate) seeds: u64,
     /// The first seed.
     pub(crate) first: u64,
+    /// Counts of choices alone.
+    pub(crate) choices: bool,
     /// The fixed cells of the test alone.
     pub(crate) fixed: bool,
     /// Leaves out the kept kinds: for those who choose limits.
@@ -35,13 +37,14 @@ impl Options {
                 "--dirty" => options.seeds = number(next()?)?,
                 "--seed" => options.first = number(next()?)?,
                 "--only" => options.only = Some(next()?.to_owned()),
+                "--choices" => options.choices = true,
                 "--fixed" => options.fixed = true,
                 "--without-kept" => options.without_kept = true,
                 "--keep" => options.keep = true,
                 "--unnamed" => options.unnamed = true,
                 other => {
                     return Err(format!(
-                        "dirty takes --dirty SEEDS, --seed FIRST, --fixed, --without-kept, --only TEXT, --unnamed, --keep and --command PATH, not `{other}`"
+                        "dirty takes --dirty SEEDS, --choices, --seed FIRST, --fixed, --without-kept, --only TEXT, --unnamed, --keep and --command PATH, not `{other}`"
                     ));
                 }
             }
@@ -65,6 +68,7 @@ mod tests {
     fn words_are_read_or_refused() {
         let options = of("--command cdpr --dirty 20 --seed 5 --only drift/box").unwrap();
         assert_eq!((options.seeds, options.first, options.only.as_deref()), (20, 5, Some("drift/box")));
+        assert!(of("--command cdpr --choices --seed 7").is_ok_and(|options| options.choices && options.first == 7));
         assert!(of("--dirty 3").is_err() && of("--command cdpr --dirty x").is_err() && of("--command").is_err());
     }
 }

@@ -12,6 +12,9 @@ const OFFSET_DEVIATION: f64 = 0.020;
 /// Largest turn of poses about each axis (rad).
 const LARGEST_TURN: f64 = 0.25;
 
+/// Share of each axis' span that inner poses leave free at either end.
+const INNER: f64 = 1.0 / 12.0;
+
 /// Which robot.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 pub(crate) enum RobotName {
@@ -133,6 +136,11 @@ impl RobotName {
         let fractions = [(); 3].map(|()| random.between(from, to));
         let turn = [(); 3].map(|()| random.between(-LARGEST_TURN, LARGEST_TURN));
         self.pose_at(fractions, if self.freedom().turns { turn } else { [0.0; 3] })
+    }
+
+    /// A pose in the inner five sixths of each axis' span.
+    pub(crate) fn inner_pose(self, random: &mut Random) -> Pose {
+        self.random_pose(random, [INNER, 1.0 - INNER])
     }
 
     /// Pose at fractions of the workspace's spans.

@@ -68,7 +68,12 @@ impl Scene {
         let mut random = Random::of(&format!("{words} {}", robot.word()), seed);
         let (file, truth) = (robot.file(), poses(robot, layout, &mut random));
         let step = if layout == Layout::Moving { MOVING.1 } else { 5.0 };
-        let data = measured(robot, &machine, &truth, step, &mut random);
+        let data = Measuring { robot, machine: &machine, sigmas: SIGMAS, step }.record(&truth, &mut random);
+        Self::unspoilt(file, machine, data, truth)
+    }
+
+    /// A record of a machine at these poses, with nothing stated.
+    pub(crate) fn unspoilt(file: RobotFile, machine: Geometry, data: Record, truth: Vec<Pose>) -> Self {
         Self { file, machine, data, truth, validation: None, stated: None, tracker: None, marker: None }
     }
 
@@ -83,23 +88,30 @@ impl Scene {
     /// Measures anew after the machine was changed: other noise at the same poses.
     pub(crate) fn measure_again(&mut self, random: &mut Random) {
         let step = self.data.rows.get(1).map_or(1.0, |row| row.time);
-        self.data = measured(self.robot(), &self.machine, &self.truth, step, random);
+        let measuring = Measuring { robot: self.robot(), machine: &self.machine, sigmas: SIGMAS, step };
+        self.data = measuring.record(&self.truth, random);
     }
 
     /// A record to validate by, of a machine that may be another one.
     pub(crate) fn validate_by(&mut self, machine: &Geometry, random: &mut Random) {
         let poses: Vec<Pose> = (0..VALIDATION_ROWS).map(|_| self.robot().random_pose(random, [0.0, 1.0])).collect();
-        self.validation = Some(measured(self.robot(), machine, &poses, 5.0, random));
+        let measuring = Measuring { robot: self.robot(), machine, sigmas: SIGMAS, step: 5.0 };
+        self.validation = Some(measuring.record(&poses, random));
     }
 
     /// The machine at poses all over its workspace, without noise.
     pub(crate) fn asked(&self, random: &mut Random) -> Vec<Asked> {
         let ask = |_| {
             let pose = self.robot().random_pose(random, [0.0, 1.0]);
-            let tensions = self.robot().tensions_at(&self.machine, &pose, random);
-            Asked { pose, recorded: self.machine.recorded(&pose, &tensions) }
+            self.asked_at(pose, random)
         };
         (0..JUDGED).map(ask).collect()
+    }
+
+    /// The machine at a pose, without noise.
+    pub(crate) fn asked_at(&self, pose: Pose, random: &mut Random) -> Asked {
+        let tensions = self.robot().tensions_at(&self.machine, &pose, random);
+        Asked { pose, recorded: self.machine.recorded(&pose, &tensions) }
     }
 
     /// A pose as the tracker of this scene sees it, without noise.
@@ -137,28 +149,42 @@ fn poses(robot: RobotName, layout: Layout, random: &mut Random) -> Vec<Pose> {
     (0..rows).map(|_| robot.random_pose(random, part)).collect()
 }
 
-/// Noisy rows of a machine at poses, a step of time apart (s).
-fn measured(robot: RobotName, machine: &Geometry, poses: &[Pose], step: f64, random: &mut Random) -> Record {
-    let rows = poses.iter().enumerate().map(|(index, pose)| {
-        let tensions = robot.tensions_at(machine, pose, random);
-        let mut lengths = machine.recorded(pose, &tensions);
-        lengths.iter_mut().for_each(|length| *length += random.normal(SIGMAS.length));
-        Row {
-            time: index as f64 * step,
-            pose: noisy(robot, pose, random),
-            lengths,
-            tensions: tensions.iter().map(|tension| tension + random.normal(SIGMAS.tension)).collect(),
-            set: None,
-        }
-    });
-    Record { robot, rows: rows.collect(), style: Style::default() }
+/// A machine that is measured, and by what.
+pub(crate) struct Measuring<'a> {
+    pub(crate) robot: RobotName,
+    pub(crate) machine: &'a Geometry,
+    /// Accuracies of the sensors.
+    pub(crate) sigmas: Sigmas,
+    /// Time between rows (s).
+    pub(crate) step: f64,
 }
 
-fn noisy(robot: RobotName, pose: &Pose, random: &mut Random) -> Pose {
-    let (mut translation, mut turn) = ([0.0; 3], [0.0; 3]);
-    robot.freedom().axes.iter().for_each(|&axis| translation[axis] = random.normal(SIGMAS.position));
-    if robot.freedom().turns {
-        turn = [(); 3].map(|()| random.normal(SIGMAS.rotation));
+impl Measuring<'_> {
+    /// Noisy rows at poses.
+    pub(crate) fn record(&self, poses: &[Pose], random: &mut Random) -> Record {
+        let Self { robot, machine, sigmas, step } = *self;
+        let rows = poses.iter().enumerate().map(|(index, pose)| {
+            let tensions = robot.tensions_at(machine, pose, random);
+            let mut lengths = machine.recorded(pose, &tensions);
+            lengths.iter_mut().for_each(|length| *length += random.normal(sigmas.length));
+            Row {
+                time: index as f64 * step,
+                pose: self.noisy(pose, random),
+                lengths,
+                tensions: tensions.iter().map(|tension| tension + random.normal(sigmas.tension)).collect(),
+                set: None,
+            }
+        });
+        Record { robot, rows: rows.collect(), style: Style::default() }
     }
-    pose.moved(translation, turn)
+
+    fn noisy(&self, pose: &Pose, random: &mut Random) -> Pose {
+        let (mut translation, mut turn) = ([0.0; 3], [0.0; 3]);
+        let freedom = self.robot.freedom();
+        freedom.axes.iter().for_each(|&axis| translation[axis] = random.normal(self.sigmas.position));
+        if freedom.turns {
+            turn = [(); 3].map(|()| random.normal(self.sigmas.rotation));
+        }
+        pose.moved(translation, turn)
+    }
 }

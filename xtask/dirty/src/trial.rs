@@ -71,7 +71,7 @@ impl Cell {
 
     fn judged(&self, scene: &Scene, place: Place, folder: &Path, command: &Path) -> Result<Outcome, String> {
         write_files(scene, folder)?;
-        let answer = ask(command, folder, scene.validation.is_some())?;
+        let answer = ask(command, folder, if scene.validation.is_some() { &VALIDATED } else { &[] })?;
         let errors = match std::fs::read_to_string(folder.join("out/calibrated.toml")) {
             Ok(text) => {
                 let written = written::robot(&text, self.robot, answer.elastic)?;
@@ -85,7 +85,7 @@ impl Cell {
     }
 }
 
-fn write_files(scene: &Scene, folder: &Path) -> Result<(), String> {
+pub(crate) fn write_files(scene: &Scene, folder: &Path) -> Result<(), String> {
     let error = |error: std::io::Error| format!("{}: {error}", folder.display());
     std::fs::create_dir_all(folder).map_err(error)?;
     let write = |name: &str, text: &str| std::fs::write(folder.join(name), text).map_err(error);
@@ -100,13 +100,15 @@ fn write_files(scene: &Scene, folder: &Path) -> Result<(), String> {
     Ok(())
 }
 
-fn ask(program: &Path, folder: &Path, validated: bool) -> Result<Answer, String> {
+/// Words for a record to validate by.
+const VALIDATED: [&str; 2] = ["--validation", "validation.csv"];
+
+/// Answer of the command to the files of a folder, with more words than those of every call.
+pub(crate) fn ask(program: &Path, folder: &Path, more: &[&str]) -> Result<Answer, String> {
     let mut command = Command::new(program);
     command.args(["select", "robot.toml", "data.csv", "--format", "json", "--quiet", "--out", "out"]);
     command.args(["--threads", "1"]);
-    if validated {
-        command.args(["--validation", "validation.csv"]);
-    }
+    command.args(more);
     command.current_dir(folder).stdin(Stdio::null()).env("NO_COLOR", "1");
     let output = command.output().map_err(|error| format!("{}: {error}", program.display()))?;
     let talk = String::from_utf8_lossy(&output.stderr).into_owned();

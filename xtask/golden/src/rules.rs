@@ -57,6 +57,8 @@ const ROWS: &[Row] = &[
     Row { keys: &["condition", "condition_*"], rule: Rule::Condition },
     // what rounding leaves of sums of forces of thousands of newtons
     Row { keys: &["wrench_residual", "wrench_residual_*"], rule: Rule::Within(1e-6) },
+    // metres, radians and newtons of what decides between candidates
+    Row { keys: &["compared.mean", "compared.difference*", "compared.as_good_within"], rule: Rule::Within(1e-12) },
     // squares of what rounding leaves where data are exact
     Row { keys: &["optima.cost", "cost_m2"], rule: Rule::Within(1e-18) },
 ];

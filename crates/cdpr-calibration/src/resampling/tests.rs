@@ -79,6 +79,7 @@ fn noise_that_sits_where_parameters_are_told_is_warned_of() {
     let (_, found) = both(&samples(450, noisy), "length-offset,length-scale");
     let warning = found.warning.as_ref().expect("deviations differ");
     assert!(warning.contains("differ from the linear ones by more than a factor 1.5"), "{warning}");
+    assert!(warning.ends_with("take those of the bootstrap where they are larger"), "{warning}");
     let scales: Vec<f64> =
         found.parameters.iter().filter(|one| one.unit.is_empty()).map(|one| one.ratio.unwrap()).collect();
     let mean = scales.iter().sum::<f64>() / 8.0;

@@ -31,9 +31,13 @@ impl Compared {
         }
     }
 
-    /// True where the errors are distances (m).
-    fn is_distance(self) -> bool {
-        !matches!(self, Self::Criterion(SelectionCriterion::Rotation | SelectionCriterion::Tension))
+    /// Unit of the errors.
+    fn unit(self) -> &'static str {
+        match self {
+            Self::Criterion(SelectionCriterion::Rotation) => "rad",
+            Self::Criterion(SelectionCriterion::Tension) => "N",
+            Self::Criterion(_) | Self::Pose(_) => "m",
+        }
     }
 
     /// The error of each sample.
@@ -104,7 +108,8 @@ fn write_differences(judgements: &mut [&mut Judgement], common: &[usize], compar
     let group = |&place: &usize| comparing.groups.get(compared[best].validation_samples[place]).copied();
     let groups: Vec<usize> = common.iter().map(|place| group(place).unwrap_or(*place)).collect();
     for (judgement, own) in compared.iter_mut().zip(&series) {
-        judgement.is_compared_by_distance = comparing.compared.is_distance();
+        judgement.compared_unit = comparing.compared.unit();
+        judgement.is_compared_by_pose = matches!(comparing.compared, Compared::Pose(_));
         judgement.difference = Some(Difference::to_best(&series[best], own, &groups, comparing.settings.seed));
     }
 }

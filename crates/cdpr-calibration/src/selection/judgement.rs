@@ -47,8 +47,10 @@ pub struct Judgement {
     pub compared_mean: f64,
     /// Difference of these errors to those of the best candidate; `None` for one that is not compared.
     pub difference: Option<Difference>,
-    /// True where these errors are distances (m).
-    pub is_compared_by_distance: bool,
+    /// Unit of these errors: m, rad or N.
+    pub compared_unit: &'static str,
+    /// True where they are those of the whole pose, not of the criterion.
+    pub is_compared_by_pose: bool,
     /// Reason why nobody should rely on the candidate's parameters; `None` for a sound one.
     pub unsound: Option<Finding>,
     /// Number of those samples.
@@ -95,7 +97,8 @@ impl Judgement {
             standard_error: f64::NAN,
             compared_mean: f64::NAN,
             difference: None,
-            is_compared_by_distance: false,
+            compared_unit: "m",
+            is_compared_by_pose: false,
             unsound: None,
             compared_samples: 0,
             set_aside: Vec::new(),
@@ -138,6 +141,37 @@ impl Judgement {
     pub(super) fn meets_requirements(&self) -> bool {
         self.requirements.iter().all(|requirement| requirement.met)
     }
+
+    /// Error by which the candidate is compared with the best; `None` for one that is not compared.
+    pub fn compared_error(&self) -> Option<ComparedError> {
+        let (mean, difference) = (self.compared_mean, self.difference?);
+        let best_mean = mean - difference.mean;
+        Some(ComparedError {
+            unit: self.compared_unit,
+            is_of_pose: self.is_compared_by_pose,
+            mean,
+            difference,
+            as_good_within: difference.largest_none(best_mean),
+            is_as_good: difference.is_none(best_mean),
+        })
+    }
+}
+
+/// Error by which a candidate is compared with the best one on the same samples.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct ComparedError {
+    /// Unit of its numbers: m, rad or N.
+    pub unit: &'static str,
+    /// True where it is the error of the whole pose (m), false where it is that of the criterion.
+    pub is_of_pose: bool,
+    /// Mean over the samples.
+    pub mean: f64,
+    /// Difference to the best.
+    pub difference: Difference,
+    /// Largest difference that is none: its standard error, or a hundredth of the best's mean where that is larger.
+    pub as_good_within: f64,
+    /// True where the candidate is as good as the best.
+    pub is_as_good: bool,
 }
 
 /// Criterion on data held out.

@@ -24,7 +24,7 @@ fn drawings_are_well_formed_stand_alone_and_name_their_units() {
     let answer = run.json_with(&["result", "candidate", "out", "files", "skipped"]);
     assert_eq!((answer["out"].as_str(), answer["skipped"].as_array().map(Vec::len)), (Some("demo/figures"), Some(0)));
     for (name, shown) in [
-        ("model-ladder.svg", "mean position error on validation data in mm, logarithmic"),
+        ("model-ladder.svg", "mean pose error on validation data in mm, logarithmic"),
         ("residuals.svg", "residual in mm"),
         ("error-map-xy.svg", "position error in mm"),
         ("error-map-xz.svg", "z in m"),
@@ -63,6 +63,9 @@ fn tables_hold_the_numbers_of_the_result() {
     let errors = [first["train"]["position_error_m"]["mean"].as_f64(), first["criterion"].as_f64()];
     let at = |column: usize| ladder[1][column].parse::<f64>().ok();
     assert_eq!([at(4), at(5)], errors, "the first candidate frees nothing, so that its line has no quotes");
+    let compared = ["mean", "difference", "difference_standard_error"].map(|key| first["compared"][key].as_f64());
+    assert_eq!([at(7), at(8), at(9)], compared);
+    assert_eq!((compared[1], ladder[1][10].as_str()), (first["difference_m"].as_f64(), "false"), "not calibrated");
 
     let errors = table("pose-errors.csv");
     let column: Vec<f64> = errors[1..].iter().map(|row| row[4].parse().unwrap()).collect();

@@ -29,6 +29,7 @@ mod shares;
 mod spectrum;
 mod timeline;
 mod tracking;
+mod wrapped_name;
 
 pub use condition_cells::ConditionCells;
 pub use convergence::convergence;
@@ -38,7 +39,7 @@ pub use course::{CourseHeight, CoursePanel, course, rounds};
 pub use difference_map::{DifferenceMap, DifferencePoint};
 pub use error_rows::{ErrorPanel, ErrorRows};
 pub use figure::Figure;
-pub use ladder::{Ladder, Rung};
+pub use ladder::{Ladder, NamedError, Rung};
 pub use map::{Map, MapPoint};
 pub use outlines::{Look, Outline, Outlines};
 pub use page_style::page_style;

@@ -106,6 +106,26 @@ struct Fold {
     errors: ErrorBlocks,
 }
 
+/// Error by which a candidate is compared with the best one.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Compared", transform = nullable_numbers)]
+struct Compared {
+    /// Error: `pose` (distance and turn of the platform anchors together, m) or `criterion`.
+    by: &'static str,
+    /// Unit of the numbers.
+    unit: &'static str,
+    /// Mean over the samples.
+    mean: f64,
+    /// Difference to that of the best.
+    difference: f64,
+    /// Standard error of the difference.
+    difference_standard_error: f64,
+    /// Largest difference that is none.
+    as_good_within: f64,
+    /// True where the candidate is as good as the best.
+    as_good_as_best: bool,
+}
+
 /// Fit of a candidate and its errors.
 #[derive(Serialize, JsonSchema)]
 #[serde(remote = "Judgement")]
@@ -135,6 +155,9 @@ pub(crate) struct JudgementKeys {
     /// Standard error of the difference.
     #[serde(getter = "difference_standard_error_m")]
     difference_standard_error_m: Option<f64>,
+    /// Error by which candidates are compared, on the same samples as that of the best; null for one that is not compared.
+    #[serde(getter = "compared")]
+    compared: Option<Compared>,
     /// Mean position error as a fraction of the diagonal of the validation positions (eq. 3.5).
     relative_position_error: Option<f64>,
     /// Bands of predicted poses, where no pose is measured.
@@ -174,12 +197,25 @@ fn status(judgement: &Judgement) -> &'static str {
 }
 
 fn difference_m(judgement: &Judgement) -> Option<f64> {
-    judgement.difference.filter(|_| judgement.is_compared_by_distance).map(|difference| difference.mean)
+    judgement.difference.filter(|_| judgement.compared_unit == "m").map(|difference| difference.mean)
 }
 
 fn difference_standard_error_m(judgement: &Judgement) -> Option<f64> {
-    let difference = judgement.difference.filter(|_| judgement.is_compared_by_distance)?;
+    let difference = judgement.difference.filter(|_| judgement.compared_unit == "m")?;
     Some(difference.standard_error).filter(|error| error.is_finite())
+}
+
+fn compared(judgement: &Judgement) -> Option<Compared> {
+    let found = judgement.compared_error()?;
+    Some(Compared {
+        by: if found.is_of_pose { "pose" } else { "criterion" },
+        unit: found.unit,
+        mean: found.mean,
+        difference: found.difference.mean,
+        difference_standard_error: found.difference.standard_error,
+        as_good_within: found.as_good_within,
+        as_good_as_best: found.is_as_good,
+    })
 }
 
 fn folds(judgement: &Judgement) -> Vec<Fold> {

@@ -78,6 +78,8 @@ fn remarks(page: &ReportPage<'_>, index: usize, judgement: &Judgement) -> String
     }
     if places.best == Some(index) && candidates.len() > 1 {
         remarks.push("smallest error".to_owned());
+    } else if candidates.len() > 1 && judgement.compared_error().is_some_and(|compared| compared.is_as_good) {
+        remarks.push("as good as the best".to_owned());
     }
     remarks.extend(Some(judgement.fit.caution_words()).filter(|words| !words.is_empty()));
     let broken = judgement.requirements.iter().filter(|requirement| !requirement.met);

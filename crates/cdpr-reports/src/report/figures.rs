@@ -1,10 +1,11 @@
 //! Drawings of a report that no choice of the reader changes.
 
+use cdpr_calibration::selection::Judgement;
 use minijinja::{Value, context};
 
 use super::{ReportPage, Shown};
 use crate::answers::{CandidateAnswer, SelectionAnswer};
-use crate::figures::{Figure, Ladder, convergence, correlations, spectrum};
+use crate::figures::{Figure, Ladder, NamedError, convergence, correlations, spectrum};
 
 /// Each drawing as an element; null if there is nothing to draw.
 pub(super) fn all(page: &ReportPage<'_>, shown: &Shown<'_>) -> Value {
@@ -22,16 +23,15 @@ pub(super) fn all(page: &ReportPage<'_>, shown: &Shown<'_>) -> Value {
 }
 
 /// The candidates, where there are several.
-fn ladder(page: &ReportPage<'_>) -> Option<Ladder> {
+fn ladder<'a>(page: &ReportPage<'a>) -> Option<Ladder> {
     let SelectionAnswer { candidates, criterion, places, .. } = &page.answer;
     if candidates.len() < 2 {
         return None;
     }
-    let all: Vec<_> = candidates
-        .iter()
-        .map(|CandidateAnswer { name, judged, .. }| {
-            (*name, judged.map(|judged| judged.criterion), judged.map(|judged| judged.standard_error))
-        })
-        .collect();
-    Some(Ladder::of(*criterion, page.report.data_words(), &all, [places.best, places.recommended]))
+    let named = |own: &CandidateAnswer<'a>| NamedError {
+        name: own.name,
+        compared: own.judged.and_then(Judgement::compared_error),
+    };
+    let all: Vec<_> = candidates.iter().map(named).collect();
+    Some(Ladder::of(*criterion, page.report.data_words(), &all, places.recommended))
 }

@@ -25,6 +25,7 @@ pub(crate) use criterion::within;
 use shown::{ReportPage, Shown};
 pub use verdict::times;
 
+use cdpr_calibration::selection::{Judgement, SelectionCriterion};
 use cdpr_model::geometry::MotionPattern;
 use cdpr_model::measurement::SensorSigmas;
 use minijinja::{Value, context};
@@ -66,6 +67,8 @@ fn details(page: &ReportPage<'_>, shown: &Shown<'_>) -> Value {
         recommended => page.answer.recommended.is_some(),
         has_validation => judgement.validation.samples > 0,
         has_pose_errors => judgement.validation.position_error_m.mean.is_finite(),
+        ladder_words => ladder_words(page.answer.criterion, judgement),
+        has_pose_band => judgement.pose_band.is_some(),
         has_set_aside => !judgement.set_aside.is_empty(),
         has_tensions => judgement.validation.tension_error.is_some(),
         is_thinned => page_data::is_thinned(page, shown),
@@ -77,6 +80,14 @@ fn details(page: &ReportPage<'_>, shown: &Shown<'_>) -> Value {
         identifiability => parameters::identifiability(shown),
         coverage => coverage::coverage(page, shown),
         figures => figures::all(page, shown),
+    }
+}
+
+/// Error by which the ladder compares candidates.
+fn ladder_words(criterion: SelectionCriterion, judgement: &Judgement) -> String {
+    match judgement.is_compared_by_pose {
+        true => "mean pose error (distance and turn of the platform anchors together, so that it is more than the position error alone)".to_owned(),
+        false => criterion.to_string(),
     }
 }
 

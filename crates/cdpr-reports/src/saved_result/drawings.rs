@@ -1,10 +1,17 @@
 //! The figures as drawings.
 
+use cdpr_calibration::Difference;
+use cdpr_calibration::selection::{ComparedError, SelectionCriterion};
+
+use super::numbers::{CandidateData, ComparedData};
 use super::{FigureFile, SampleData, SavedResult};
-use crate::figures::{Figure, Ladder, Map, MapPoint, convergence, correlations, residuals, spectrum};
+use crate::figures::{Figure, Ladder, Map, MapPoint, NamedError, convergence, correlations, residuals, spectrum};
 
 /// A part of the largest extent below which positions lie in a plane.
 const FLATNESS: f64 = 1e-6;
+
+const WITHOUT_LADDER: &str =
+    "no candidates were compared, or the result is older than the differences that the ladder shows";
 
 /// Every drawing.
 pub(super) fn all(data: &SavedResult) -> Vec<FigureFile> {
@@ -13,7 +20,7 @@ pub(super) fn all(data: &SavedResult) -> Vec<FigureFile> {
         |name, drawn: Option<Figure>, why_not| FigureFile { name, content: drawn.map(|drawn| drawn.file()), why_not };
     let matrix = data.correlations.as_ref();
     let mut all = vec![
-        figure("model-ladder.svg", ladder(data), "no candidates were compared"),
+        figure("model-ladder.svg", ladder(data), WITHOUT_LADDER),
         figure("residuals.svg", residuals(&by_cable(data)), in_folder),
         figure("correlations.svg", matrix.and_then(|(names, rows)| correlations(names, rows)), in_folder),
         figure("singular-values.svg", spectrum(&data.singular_values, data.rank), "nothing was free"),
@@ -23,15 +30,32 @@ pub(super) fn all(data: &SavedResult) -> Vec<FigureFile> {
     all
 }
 
-fn ladder(data: &SavedResult) -> Option<Figure> {
-    let all: Vec<_> = data
-        .candidates
-        .iter()
-        .map(|candidate| (candidate.name.as_str(), candidate.criterion, candidate.standard_error))
-        .collect();
-    let place =
-        |name: &Option<String>| data.candidates.iter().position(|candidate| Some(&candidate.name) == name.as_ref());
-    Ladder::of(data.criterion, "validation data", &all, [place(&data.best), place(&data.recommended)]).svg()
+fn ladder<'a>(data: &'a SavedResult) -> Option<Figure> {
+    let unit = match data.criterion {
+        SelectionCriterion::Rotation => "rad",
+        SelectionCriterion::Tension => "N",
+        _ => "m",
+    };
+    let named = |own: &'a CandidateData| NamedError {
+        name: &own.name,
+        compared: own.compared.as_ref().map(|own| compared(own, unit)),
+    };
+    let all: Vec<_> = data.candidates.iter().map(named).collect();
+    let recommended = data.candidates.iter().position(|own| Some(&own.name) == data.recommended.as_ref());
+    Ladder::of(data.criterion, "validation data", &all, recommended).svg()
+}
+
+fn compared(data: &ComparedData, unit: &'static str) -> ComparedError {
+    let number = |value: Option<f64>| value.unwrap_or(f64::NAN);
+    let [mean, standard_error] = [data.difference, data.difference_standard_error].map(number);
+    ComparedError {
+        unit,
+        is_of_pose: data.by == "pose",
+        mean: number(data.mean),
+        difference: Difference { mean, standard_error },
+        as_good_within: number(data.as_good_within),
+        is_as_good: data.as_good_as_best,
+    }
 }
 
 /// Residuals (mm) of every cable by sample.

@@ -51,14 +51,13 @@ impl SavedResult {
     }
 
     fn of_answer(answer: ResultFile) -> Self {
-        let shown = answer.recommended.clone().or_else(|| answer.best.clone()).or(answer.model);
+        let shown = answer.recommended.clone().or(answer.best).or(answer.model);
         let own = answer.candidates.iter().find(|candidate| Some(&candidate.name) == shown.as_ref());
         let finite = |list: Vec<Option<f64>>| list.into_iter().map(|value| value.unwrap_or(f64::NAN)).collect();
         Self {
             criterion: answer.criterion.unwrap_or_default(),
             rank: own.and_then(|candidate| candidate.rank).or(answer.rank).unwrap_or(0),
             robot: answer.robot,
-            best: answer.best,
             recommended: answer.recommended,
             shown,
             parameters: answer.parameters,

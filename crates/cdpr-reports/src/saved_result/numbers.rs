@@ -24,7 +24,6 @@ pub struct SavedResult {
     pub(super) candidates: Vec<CandidateData>,
     /// Name of the robot.
     pub robot: Option<String>,
-    pub(super) best: Option<String>,
     pub(super) recommended: Option<String>,
     /// Name of the candidate that all other figures are about.
     pub shown: Option<String>,
@@ -52,9 +51,21 @@ pub(super) struct CandidateData {
     pub(super) train: Value,
     pub(super) criterion: Option<f64>,
     pub(super) standard_error: Option<f64>,
+    pub(super) compared: Option<ComparedData>,
     pub(super) rank: Option<usize>,
     pub(super) condition: Option<f64>,
     pub(super) failure: Option<String>,
+}
+
+/// Error by which a candidate is compared with the best (SI).
+#[derive(Clone, Debug, Deserialize)]
+pub(super) struct ComparedData {
+    pub(super) by: String,
+    pub(super) mean: Option<f64>,
+    pub(super) difference: Option<f64>,
+    pub(super) difference_standard_error: Option<f64>,
+    pub(super) as_good_within: Option<f64>,
+    pub(super) as_good_as_best: bool,
 }
 
 /// One identified parameter.

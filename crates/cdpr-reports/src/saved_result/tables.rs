@@ -2,6 +2,7 @@
 
 use cdpr_calibration::selection::SelectionCriterion;
 
+use super::numbers::ComparedData;
 use super::{AXES, CandidateData, FigureFile, ParameterData, SampleData, SavedResult};
 
 /// Every table.
@@ -53,6 +54,12 @@ fn optional(value: Option<f64>) -> String {
     value.map(field).unwrap_or_default()
 }
 
+/// Column of the error by which candidates are compared.
+fn compared_metric(data: &SavedResult) -> &'static str {
+    let is_of_pose = data.candidates.iter().filter_map(|own| own.compared.as_ref()).any(|own| own.by == "pose");
+    if is_of_pose { "pose_mean_m" } else { criterion_path(data.criterion).1 }
+}
+
 /// Place of the criterion among a candidate's errors, and the name of its column.
 fn criterion_path(criterion: SelectionCriterion) -> (&'static str, &'static str) {
     match criterion {
@@ -65,6 +72,7 @@ fn criterion_path(criterion: SelectionCriterion) -> (&'static str, &'static str)
 
 fn ladder(data: &SavedResult) -> String {
     let (path, metric) = criterion_path(data.criterion);
+    let compared = compared_metric(data);
     let heading = [
         "candidate",
         "model",
@@ -73,6 +81,10 @@ fn ladder(data: &SavedResult) -> String {
         &format!("train_{metric}"),
         &format!("validation_{metric}"),
         &format!("standard_error_{metric}"),
+        &format!("compared_{compared}"),
+        &format!("difference_{compared}"),
+        &format!("standard_error_of_difference_{compared}"),
+        "as_good_as_best",
         "rank",
         "condition",
         "recommended",
@@ -88,6 +100,10 @@ fn ladder(data: &SavedResult) -> String {
             optional(candidate.train.pointer(path).and_then(serde_json::Value::as_f64)),
             optional(candidate.criterion),
             optional(candidate.standard_error),
+            of_compared(candidate, |own| own.mean),
+            of_compared(candidate, |own| own.difference),
+            of_compared(candidate, |own| own.difference_standard_error),
+            candidate.compared.as_ref().map(|own| own.as_good_as_best.to_string()).unwrap_or_default(),
             count(candidate.rank),
             optional(candidate.condition),
             (data.recommended.as_ref() == Some(&candidate.name)).to_string(),
@@ -95,6 +111,10 @@ fn ladder(data: &SavedResult) -> String {
         ]
     };
     table(&words(heading), data.candidates.iter().map(row))
+}
+
+fn of_compared(candidate: &CandidateData, number: fn(&ComparedData) -> Option<f64>) -> String {
+    optional(candidate.compared.as_ref().and_then(number))
 }
 
 fn residuals(data: &SavedResult) -> String {
