@@ -241,7 +241,7 @@ impl Key {
             }
             Self::Bar => {
                 draw_bar(drawing, "plain", [x + 3.0, x + 23.0], y);
-                "± one standard error of the difference, where it is wider than the dot"
+                "± one standard error of the difference, if wider"
             }
         };
         drawing.text("tick", Anchor::Start, (x + 34.0, y + 4.0), words);
