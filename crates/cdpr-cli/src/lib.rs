@@ -12,6 +12,7 @@ mod diagnostics;
 
 mod failure;
 mod files;
+mod hanging;
 mod inputs;
 mod interruption;
 mod keyword;

@@ -5,6 +5,7 @@ use crate::cable::winch::{DrumError, GrooveError};
 use crate::cable::{CableStateError, GeometryError};
 use crate::compensation::MapError;
 use crate::control::OperationError;
+use crate::equilibrium::hanging::HangingError;
 use crate::equilibrium::{
     ForwardError, NoSolution, RowsError, distribution, elastostatics, forward_kinematics, forward_statics,
 };
@@ -241,6 +242,18 @@ impl ErrorCode for ForwardError {
         match self {
             Self::Load(error) => error.code(),
             Self::Input(error) => error.code(),
+        }
+    }
+}
+
+impl ErrorCode for HangingError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Fixed { .. } | Self::TooFew { .. } => "equilibrium::position",
+            Self::NoForce => "equilibrium::no-force",
+            Self::Sagging => "equilibrium::position-sag",
+            Self::Statics(error) => error.code(),
+            Self::Geometry(error) => error.code(),
         }
     }
 }

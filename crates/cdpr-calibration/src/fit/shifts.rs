@@ -82,8 +82,8 @@ fn starts(samples: &Samples, shifts: &[LengthShift]) -> Result<Vec<ShiftEstimate
         [own.iter().copied().fold(f64::INFINITY, f64::min), own.iter().copied().fold(-f64::INFINITY, f64::max)];
     let start = |&shift: &LengthShift| {
         let estimate = ShiftEstimate { shift, change: 0.0, sigma: f64::NAN, offset_after: f64::NAN, record, is_timed };
-        let to_come = estimate.to_come(samples);
-        let is_told = to_come.iter().any(|share| *share > 0.0) && to_come.iter().any(|share| *share < 1.0);
+        let remaining = estimate.remaining(samples);
+        let is_told = remaining.iter().any(|share| *share > 0.0) && remaining.iter().any(|share| *share < 1.0);
         is_told.then_some(estimate).ok_or_else(|| InputError::ShiftUntold { name: shift.to_string() })
     };
     shifts.iter().map(start).collect()
@@ -114,10 +114,10 @@ impl Step {
         for (column, estimate) in shifts.iter().enumerate() {
             let offset = offset_of(estimate.shift.cable);
             let Some(of_offset) = place(&offset) else { continue };
-            let to_come = estimate.to_come(&seen);
+            let remaining = estimate.remaining(&seen);
             for row in 0..count {
                 // the recorded length grows by it, and the modelled one would by an offset
-                own[(row, column)] = -to_come[row / rows.size()] * rows.jacobian[(row, of_offset)];
+                own[(row, column)] = -remaining[row / rows.size()] * rows.jacobian[(row, of_offset)];
             }
         }
         let columns: Vec<usize> = base.iter().filter_map(place).collect();

@@ -9,8 +9,10 @@ use crate::answer::Output;
 use crate::compensation_option::CompensationOption;
 use crate::failure::Failure;
 use crate::files;
+use crate::hanging::Elsewhere;
 use crate::inputs::read_robot;
 use cdpr_model::control::Control;
+use cdpr_model::geometry::Pose;
 use cdpr_model::measurement::poses_from_csv;
 use cdpr_model::model::{Composition, Model};
 use cdpr_model::reading::ErrorCode;
@@ -116,10 +118,28 @@ fn lengths(arguments: &Arguments, output: &mut Output) -> Result<ExitCode, Failu
             "{fading} of {all} poses lie in the margin around the samples of {file}: its correction fades there"
         ));
     }
+    if let Some(words) = not_resting(&model, &poses) {
+        output.remark(&words);
+    }
     let out = arguments.out.as_deref();
     let answer = TableAnswer::new(&model, map.map(|(_, file)| file), &table, out.map(shown_path));
     out.map_or(Ok(()), |path| files::write(path, answer.text().as_bytes()))?;
     output.answer(&answer)
+}
+
+/// Poses that the load of a hanging platform does not allow, in words; `None` without any.
+fn not_resting(model: &Model, poses: &[Pose]) -> Option<String> {
+    let own: Vec<(usize, Elsewhere)> =
+        poses.iter().enumerate().filter_map(|(place, pose)| Some((place, Elsewhere::of(model, pose)?))).collect();
+    let (worst, elsewhere) = own.iter().max_by(|a, b| a.1.distance.total_cmp(&b.1.distance))?;
+    Some(format!(
+        "the load does not let the platform rest at {} of {} poses: with the lengths of pose {} it comes to rest at {}; `cdpr ik ROBOT --position` tells the rest of a \
+         pose by the load",
+        own.len(),
+        poses.len(),
+        worst + 1,
+        elsewhere.words(model.robot())
+    ))
 }
 
 /// Lines of a firmware's configuration.

@@ -10,11 +10,12 @@ use clap::Args;
 use crate::answer::{Answer, Output};
 use crate::compensation_option::CompensationOption;
 use crate::failure::Failure;
-use crate::inputs::{ModelArguments, PoseArgument, wrench_of};
+use crate::hanging::{Elsewhere, hanging_at, position_of};
+use crate::inputs::{ModelArguments, pose_of, wrench_of};
 use crate::numbers::NumberList;
 use crate::statics_failure::{has_no_path, refused};
 use crate::tension_choice::{Chosen, tensions_of};
-use cdpr_reports::answers::InverseAnswer;
+use cdpr_reports::answers::{InverseAnswer, NoHangingAnswer};
 
 const EXAMPLES: &str = "\
 Examples:
@@ -24,6 +25,7 @@ Examples:
   cdpr ik robot.toml --pose=-1,2 --model pulley+drum
   cdpr ik planar-example --pose 0.5,4 --model elastic
   cdpr ik planar-example --pose 0.5,4 --model elastic --tensions 5900,6100,2500,2400
+  cdpr ik hanging.toml --position 0.3,-0.5
   cdpr ik calibrated.toml --pose 0.5,0.3,1.6,0,0,0 --compensation map.toml
   cdpr ik caroca-pulleys --pose 3.5,2,1.5,0,0,0.1 --model pulley --jacobians";
 
@@ -37,8 +39,14 @@ pub(crate) struct Arguments {
     #[command(flatten)]
     model: ModelArguments,
 
-    #[command(flatten)]
-    pose: PoseArgument,
+    /// Platform pose (m, rad): x,y | x,y,angle | x,y,z | x,y,z,rx,ry,rz, as the robot's motion pattern has it.
+    #[arg(long, value_name = "POSE", allow_hyphen_values = true, required_unless_present = "position")]
+    pose: Option<NumberList>,
+
+    /// Position alone, of a platform with fewer cables than degrees of freedom (m): x,y | x,y,z; the load decides the rest of the pose. All poses at
+    /// which it hangs there are told, stable ones first.
+    #[arg(long, value_name = "POSITION", allow_hyphen_values = true, conflicts_with_all = ["pose", "tensions"])]
+    position: Option<NumberList>,
 
     /// Cable tensions of an elastic model, one per cable (N), not judged against limits; those nearest the middle of the
     /// limits that balance the load when left out.
@@ -61,8 +69,18 @@ pub(crate) struct Arguments {
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let model = arguments.model.read()?;
-    let pose = arguments.pose.of(model.robot())?;
     check_forces(&model, &arguments)?;
+    let (pose, hanging) = match (&arguments.pose, &arguments.position) {
+        (Some(pose), _) => (pose_of(model.robot(), "--pose", pose)?, None),
+        (None, position) => {
+            let at = position_of(model.robot(), "--position", position.as_ref().unwrap_or(&NumberList::default()))?;
+            let hanging = hanging_at(&model, &at, arguments.wrench.as_ref())?;
+            match hanging.found.first() {
+                Some(first) => (first.pose, Some(hanging)),
+                None => return output.answer(&NoHangingAnswer::new(&model, &at, &hanging)),
+            }
+        }
+    };
     let map = arguments.compensation.read(&model)?;
     let mut state = State::at(&model, &pose);
     let command = |tensions: &[f64], state: &mut State| {
@@ -75,7 +93,13 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     if answer.is_negative() {
         return output.answer(&answer);
     }
-    if needs_tensions {
+    if let Some(hanging) = &hanging {
+        let tensions = hanging.found[0].tensions.clone();
+        if needs_tensions {
+            answer = command(&tensions, &mut state)?.0;
+        }
+        answer = answer.with_tensions(tensions).hanging(&model, hanging);
+    } else if needs_tensions {
         match tensions_of(&model, &pose, arguments.wrench.as_ref(), arguments.tensions.as_ref())? {
             Chosen::Tensions(tensions) => answer = command(&tensions, &mut state)?.0.with_tensions(tensions),
             Chosen::None { status, reason } => answer = answer.without_tensions(status, reason),
@@ -85,6 +109,12 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         output.remark(&format!(
             "the cables of model `{}` are rigid: tensions and wrench change nothing; `--model {elastic}` asks for elastic ones",
             model.composition()
+        ));
+    }
+    if let Some(elsewhere) = Elsewhere::of(&model, &pose).filter(|_| hanging.is_none() && arguments.wrench.is_none()) {
+        answer = answer.with_warning(format!(
+            "the load does not let the platform rest at this pose: with these lengths it comes to rest at {}; `--position` tells the rest of a pose by the load",
+            elsewhere.words(model.robot())
         ));
     }
     if let Some((map, _)) = map {

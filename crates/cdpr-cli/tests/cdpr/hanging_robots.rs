@@ -121,3 +121,48 @@ fn a_robot_whose_pose_nothing_determines_is_not_recommended_with_an_error_of_zer
     let run = cdpr_in(folder.path(), "accuracy study.toml");
     assert!(run.exit_code == 1 && !has_nan(&run.stdout), "{}", run.stdout);
 }
+
+/// Angles, belts and tensions of SciPy's statics (case `mural-carriage`), to the decimals that are printed there.
+#[test]
+fn a_position_alone_is_completed_by_the_load() {
+    let Some(folder) = super::mistaken_inputs::case("mural-carriage") else { return };
+    for (position, angle, lengths) in
+        [("0.3,-0.5", -0.414_089, [0.549_787, 1.090_615]), ("1.0,-0.9", 0.567_044, [1.331_337, 0.916_574])]
+    {
+        let run = cdpr_in(folder.path(), &format!("ik robot.toml --position {position} --format json"));
+        let answer = run.json();
+        assert_eq!((run.exit_code, &answer["status"]), (0, &"solved".into()), "{}", run.stderr);
+        assert!((answer["pose"]["angle_rad"].as_f64().unwrap() - angle).abs() < 6e-7, "{answer}");
+        for (own, wanted) in answer["cable_lengths_m"].as_array().unwrap().iter().zip(lengths) {
+            assert!((own.as_f64().unwrap() - wanted).abs() < 6e-7, "{answer}");
+        }
+        let stability: Vec<&str> =
+            answer["solutions"].as_array().unwrap().iter().map(|one| one["stability"].as_str().unwrap()).collect();
+        assert_eq!(stability, ["stable", "unstable"]);
+        // with these lengths it hangs there
+        let own = &answer["cable_lengths_m"];
+        let fk = cdpr_in(folder.path(), &format!("fk robot.toml --lengths {},{} --format json", own[0], own[1])).json();
+        assert!((fk["pose"]["angle_rad"].as_f64().unwrap() - angle).abs() < 6e-7, "{fk}");
+    }
+    // level, the pen cannot be there
+    let level = cdpr_in(folder.path(), "ik robot.toml --pose 0.3,-0.5,0");
+    assert!(
+        level.stdout.contains("caution: the load does not let the platform rest")
+            && level.stdout.contains("22.7° away"),
+        "{}",
+        level.stdout
+    );
+    assert_eq!(cdpr_in(folder.path(), "ik robot.toml --pose 0.65,-0.61,0").stdout.matches("caution").count(), 0);
+    std::fs::write(folder.path().join("two.csv"), "x_m,z_m,angle_rad\n0.3,-0.5,0\n0.65,-0.61,0\n").unwrap();
+    let table = cdpr_in(folder.path(), "export lengths robot.toml --poses two.csv");
+    assert!(
+        table.stderr.contains("1 of 2 poses") || table.stdout.contains("1 of 2 poses"),
+        "{}{}",
+        table.stdout,
+        table.stderr
+    );
+    let none = cdpr_in(folder.path(), "ik robot.toml --position 0.5,1");
+    assert!(none.exit_code == 1 && none.stdout.contains("no-equilibrium"), "{}", none.stdout);
+    let fixed = cdpr_in(folder.path(), "ik cogiro --position 0,0,1");
+    assert!(fixed.exit_code == 2 && fixed.stderr.contains("equilibrium::position"), "{}", fixed.stderr);
+}

@@ -7,7 +7,7 @@ use super::{Run, cdpr_in};
 
 /// The folder of a case beside the project, copied; `None` with a word where it is not here.
 #[expect(clippy::print_stderr, reason = "a test that skips says so")]
-fn case(name: &str) -> Option<tempfile::TempDir> {
+pub(super) fn case(name: &str) -> Option<tempfile::TempDir> {
     let source = std::path::Path::new(env!("CARGO_MANIFEST_DIR")).join("../../../shared/cases").join(name);
     if !source.is_dir() {
         assert!(std::env::var("CI").as_deref() != Ok("true"), "CI must have {}", source.display());

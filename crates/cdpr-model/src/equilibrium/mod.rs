@@ -8,6 +8,7 @@ pub mod feasibility;
 pub mod forward_kinematics;
 pub mod forward_problem;
 pub mod forward_statics;
+pub mod hanging;
 mod inverse;
 mod inverse_solution;
 mod pose_step;

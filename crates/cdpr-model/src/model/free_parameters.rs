@@ -17,8 +17,8 @@ use crate::robot::{Head, Parameter, ParameterKind};
 pub struct FreeParameters {
     /// Kind and 0-based cables; `None` means every cable.
     selections: Vec<(ParameterKind, Option<Vec<usize>>)>,
-    /// Free quantities of the recording, in the order of [`RecordingParameter::ALL`].
-    recording: Vec<RecordingParameter>,
+    /// True for those of [`RecordingParameter::ALL`] that are free.
+    recording: [bool; RecordingParameter::ALL.len()],
     /// Free changes of recorded lengths inside a record.
     shifts: Vec<FreeShift>,
 }
@@ -162,7 +162,7 @@ impl FreeParameters {
 
     /// True if nothing is free.
     pub fn is_empty(&self) -> bool {
-        self.selections.is_empty() && self.recording.is_empty() && self.shifts.is_empty()
+        self.selections.is_empty() && self.recorded().count() == 0 && self.shifts.is_empty()
     }
 
     /// True if no parameter of the robot is free.
@@ -172,19 +172,27 @@ impl FreeParameters {
 
     /// True if this parameter of the recording is free.
     pub fn names_recording(&self, parameter: RecordingParameter) -> bool {
-        self.recording.contains(&parameter)
+        self.recorded().any(|free| free == parameter)
+    }
+
+    /// Free quantities of the recording.
+    fn recorded(&self) -> impl Iterator<Item = RecordingParameter> {
+        RecordingParameter::ALL
+            .into_iter()
+            .zip(self.recording)
+            .filter_map(|(parameter, is_free)| is_free.then_some(parameter))
     }
 
     /// The selection without these parameters of the recording.
     pub fn without_recording(&self, parameters: &[RecordingParameter]) -> Self {
-        let recording = self.recording.iter().copied().filter(|free| !parameters.contains(free)).collect();
-        Self { recording, ..self.clone() }
+        let is_free = |own: RecordingParameter| self.names_recording(own) && !parameters.contains(&own);
+        Self { recording: RecordingParameter::ALL.map(is_free), ..self.clone() }
     }
 
     /// The selection with these parameters of the recording.
     pub fn with_recording(&self, parameters: &[RecordingParameter]) -> Self {
-        let is_free = |free: &RecordingParameter| self.recording.contains(free) || parameters.contains(free);
-        Self { recording: RecordingParameter::ALL.into_iter().filter(is_free).collect(), ..self.clone() }
+        let is_free = |own: RecordingParameter| self.names_recording(own) || parameters.contains(&own);
+        Self { recording: RecordingParameter::ALL.map(is_free), ..self.clone() }
     }
 
     /// Changes of recorded lengths that are free and not held, of a robot with so many cables, ordered by course and cable.
@@ -322,12 +330,12 @@ impl fmt::Display for FreeParameters {
                 write!(f, "[{}]", numbers.join(","))?;
             }
         }
-        for (index, parameter) in self.recording.iter().enumerate() {
+        for (index, parameter) in self.recorded().enumerate() {
             let comma = if index > 0 || !self.selections.is_empty() { "," } else { "" };
             write!(f, "{comma}{}", parameter.name())?;
         }
         for (index, shift) in self.shifts.iter().enumerate() {
-            let is_first = index == 0 && self.selections.is_empty() && self.recording.is_empty();
+            let is_first = index == 0 && self.selections.is_empty() && self.recorded().count() == 0;
             write!(f, "{}{shift}", if is_first { "" } else { "," })?;
         }
         Ok(())
@@ -367,7 +375,7 @@ impl FromStr for FreeParameters {
                 None => return Err(ParameterError::Syntax { item: rest.to_owned() }),
             };
         }
-        Ok(Self { selections, recording: Vec::new(), shifts }.with_recording(&recording))
+        Ok(Self { selections, shifts, ..Self::default() }.with_recording(&recording))
     }
 }
 

@@ -1,6 +1,7 @@
 //! Cable lengths and directions at a pose, and the lengths that winches must pay out.
 
 use cdpr_model::compensation::{Beyond, Compensation, Correction, MapError};
+use cdpr_model::equilibrium::hanging::HangingPoses;
 use cdpr_model::equilibrium::{CableCommand, InverseSolution};
 use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
@@ -9,6 +10,7 @@ use cdpr_model::statics::StaticsError;
 use nalgebra::Vector3;
 use serde::Serialize;
 
+use super::hanging_answer::HangingKeys;
 use super::jacobians_answer::Jacobians;
 use super::{Answer, PoseAnswer, axis_names, components};
 use crate::number_format::cell;
@@ -49,6 +51,8 @@ pub struct InverseAnswer {
     #[serde(rename = "platform_tensions_N", skip_serializing_if = "Option::is_none")]
     platform_tensions: Option<Vec<f64>>,
     jacobians: Jacobians,
+    #[serde(flatten)]
+    hanging: Option<HangingKeys>,
     warnings: Vec<String>,
     #[serde(skip)]
     shows_jacobians: bool,
@@ -96,6 +100,7 @@ impl InverseAnswer {
             tensions: None,
             platform_tensions,
             jacobians: Jacobians::at(model, &solution.pose),
+            hanging: None,
             warnings: Vec::new(),
             shows_jacobians: false,
             cable_names: robot.cables.iter().map(|cable| cable.name.clone()).collect(),
@@ -111,6 +116,17 @@ impl InverseAnswer {
     /// The same with the tensions that stretch the cables (N).
     pub fn with_tensions(self, tensions: Vec<f64>) -> Self {
         Self { tensions: Some(tensions), ..self }
+    }
+
+    /// The same with all poses at which the platform hangs at the position.
+    pub fn hanging(self, model: &Model, poses: &HangingPoses) -> Self {
+        Self { hanging: Some(HangingKeys::new(model, poses)), ..self }
+    }
+
+    /// The same with a caution.
+    pub fn with_warning(mut self, warning: String) -> Self {
+        self.warnings.push(warning);
+        self
     }
 
     /// The same with the correction of a map at its pose, refused beyond the map: controlled lengths are those whose recorded ones are longer by it.
@@ -157,6 +173,7 @@ impl Answer for InverseAnswer {
             text.push_str(&format!("{}: {reason}\n", self.status));
         }
         self.warnings.iter().for_each(|warning| text.push_str(&format!("caution: {warning}\n")));
+        text.extend(self.hanging.iter().map(HangingKeys::words));
         let mut heading = vec!["cable".to_owned(), "length m".to_owned()];
         let is_elastic = self.controlled_lengths_m != self.cable_lengths_m;
         heading.extend(is_elastic.then(|| "controlled m".to_owned()));

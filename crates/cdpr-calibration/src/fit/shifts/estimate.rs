@@ -41,7 +41,7 @@ impl ShiftEstimate {
     }
 
     /// Share of the change that comes after each sample: 1 before a step, 0 after it. Samples of another record are after it.
-    pub(super) fn to_come(&self, samples: &Samples) -> Vec<f64> {
+    pub(super) fn remaining(&self, samples: &Samples) -> Vec<f64> {
         let [first, last] = self.record;
         let clock = clock(samples, self.is_timed);
         let of_sample = |(sample, at): (usize, f64)| match self.shift.course {
@@ -70,7 +70,7 @@ pub(in crate::fit) fn undone(samples: &Samples, shifts: &[ShiftEstimate]) -> Sam
     let mut lengths = samples.lengths.clone();
     for estimate in shifts {
         let own = lengths.iter_mut().skip(estimate.shift.cable).step_by(samples.cable_count.max(1));
-        own.zip(estimate.to_come(samples)).for_each(|(length, to_come)| *length += to_come * estimate.change);
+        own.zip(estimate.remaining(samples)).for_each(|(length, remaining)| *length += remaining * estimate.change);
     }
     Samples { lengths, motor_angles: None, ..samples.clone() }
 }
