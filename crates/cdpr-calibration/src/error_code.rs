@@ -54,6 +54,7 @@ impl ErrorCode for fit::InputError {
             Self::GaugeOpen { .. } => "data::gauge-open",
             Self::ChangesBesideSensors => "data::no-start-lengths",
             Self::NoSwivel { .. } => "data::no-swivel-zero",
+            Self::NoSwivelAngles => "data::no-swivels",
             Self::NoPoses => "data::no-poses-found",
             Self::NoAccuracies => "data::no-accuracies",
             Self::NoPrediction { .. } => "data::no-prediction",

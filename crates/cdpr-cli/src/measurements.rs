@@ -27,7 +27,8 @@ pub(crate) struct DataArguments {
     data: PathBuf,
 
     /// Standard deviations of the sensors per axis, instead of the sidecar's: position_m, rotation_rad, length_m, tension_N, swivel_rad;
-    /// length_scale, a ratio, of a factor that all lengths may have in common.
+    /// length_scale, a ratio, of a factor that all lengths may have in common; balance_N and balance_Nm, by which cables and load may miss their
+    /// equilibrium (without poses).
     #[arg(long, value_name = "NAME=SIGMA,…", value_delimiter = ',', allow_hyphen_values = true)]
     sigma: Vec<SigmaOption>,
 
@@ -76,13 +77,15 @@ pub(crate) struct SigmaOption {
 }
 
 /// Sensors by their names, which end with the unit.
-const SENSORS: [(&str, Sensor); 6] = [
+const SENSORS: [(&str, Sensor); 8] = [
     ("position_m", Sensor::Position),
     ("rotation_rad", Sensor::Rotation),
     ("length_m", Sensor::Length),
     ("tension_N", Sensor::Tension),
     ("swivel_rad", Sensor::Swivel),
     ("length_scale", Sensor::LengthScale),
+    ("balance_N", Sensor::BalanceForce),
+    ("balance_Nm", Sensor::BalanceMoment),
 ];
 
 #[derive(Clone, Copy, Debug)]
@@ -93,6 +96,8 @@ enum Sensor {
     Tension,
     Swivel,
     LengthScale,
+    BalanceForce,
+    BalanceMoment,
 }
 
 impl SigmaOption {
@@ -312,6 +317,8 @@ impl SigmaOption {
             Sensor::Tension => &mut sigmas.tension,
             Sensor::Swivel => &mut sigmas.swivel,
             Sensor::LengthScale => &mut sigmas.length_scale,
+            Sensor::BalanceForce => &mut sigmas.balance_force,
+            Sensor::BalanceMoment => &mut sigmas.balance_moment,
         };
         *place = Some(self.sigma);
     }

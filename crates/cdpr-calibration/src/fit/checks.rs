@@ -4,7 +4,7 @@ use super::input_error::InputError;
 use super::settings::{Settings, prior_sigma};
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::{FreeParameters, LengthShift, Model, RecordingParameter, ShiftCourse};
-use cdpr_model::robot::Parameter;
+use cdpr_model::robot::{Parameter, ParameterKind};
 use cdpr_model::solve::not_positive;
 
 /// The free parameters, where model, samples and settings allow a fit of them.
@@ -17,6 +17,7 @@ pub(crate) fn checked_parameters(
     check_question(model, samples, settings)?;
     let parameters = free.parameters(model, &settings.hold)?;
     check_motor_angles(&parameters, samples)?;
+    check_swivels(&parameters)?;
     check_rows(model, samples, &parameters, settings)?;
     Ok(parameters)
 }
@@ -48,6 +49,12 @@ pub(crate) fn check_motor_angles(parameters: &[Parameter], samples: &Samples) ->
         return Err(InputError::NoMotorAngles { kind });
     }
     Ok(())
+}
+
+/// Refuses zeros of swivels, which lengths say nothing of.
+fn check_swivels(parameters: &[Parameter]) -> Result<(), InputError> {
+    let is_free = parameters.iter().any(|parameter| parameter.kind == ParameterKind::SwivelOffset);
+    if is_free { Err(InputError::NoSwivelAngles) } else { Ok(()) }
 }
 
 /// Refuses more parameters than rows at measured poses.

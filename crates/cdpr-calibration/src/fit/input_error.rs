@@ -294,6 +294,11 @@ pub enum InputError {
         /// The parameter of the drum.
         kind: ParameterKind,
     },
+    /// Zeros of swivels without recorded angles of them.
+    #[error(
+        "`swivel-offset` is free, but no swivel angles are rows: it takes the columns swivel_rad_1 … of a record without measured poses"
+    )]
+    NoSwivelAngles,
     /// A start that predicts no pose.
     #[error(
         "sample {sample}: the model as given predicts no pose from the recorded lengths ({reason}): identify by lengths first, or mend the \

@@ -61,15 +61,18 @@ impl Forces {
 }
 
 /// Rows of a model's samples: of lengths alone, or of all sensors; tensions count where the load is known or free, of rigid models where these are `asked` or there are no more cables
-/// than degrees of freedom.
+/// than degrees of freedom. Fewer cables than degrees of freedom hang as their load says, whose tensions are unknowns where none are recorded.
 ///
 /// More cables pull against each other, and stretch by what the model lacks: calibrated lengths have anchors that make up for it, equilibrium has the true ones.
 pub(super) fn sensing(model: &Model, internal: &InternalSamples, asked: Forces) -> Sensing {
     let samples = &internal.samples;
     let has_load = asked == Forces::Wrench || Load::of(model.robot()).is_ok();
     let is_told = asked != Forces::Nothing || model.cable_count() <= model.dof();
-    let balances = model.needs_tensions() || (samples.tensions.is_some() && has_load && is_told);
-    let weights = Weights::new(model, &samples.sigmas, mean(samples.tensions.as_deref().unwrap_or_default()));
+    let hangs = model.cable_count() < model.dof();
+    let balances = model.needs_tensions() || has_load && (samples.tensions.is_some() && is_told || hangs);
+    let holding = || Load::of(model.robot()).map_or(0.0, |load| load.force() / model.cable_count() as f64);
+    let typical = samples.tensions.as_deref().map_or_else(holding, mean);
+    let weights = Weights::new(model, &samples.sigmas, typical);
     let layout = SensorLayout::of(model, internal, balances, &weights);
     match layout.has_only_lengths() {
         true => Sensing::Lengths(samples.sigmas.length.filter(|sigma| *sigma > 0.0).unwrap_or(ASSUMED_NOISE)),
@@ -123,6 +126,7 @@ impl<'a> Question<'a> {
         if matches!(question.sensing, Sensing::All(..)) {
             question.count_lengths_from_nothing()?;
         }
+        question.count_swivels_from_nothing()?;
         Ok(question)
     }
 
@@ -197,6 +201,28 @@ impl<'a> Question<'a> {
             let length = modelled_length(&self.model, cable, &home);
             let offset = robot.cables[cable].length_offset.unwrap_or(0.0) + mean(&changes) - length;
             robot.cables[cable].length_offset = Some(offset);
+        }
+        self.model = Model::new(robot, self.model.composition())?;
+        Ok(())
+    }
+
+    /// Gives encoders of swivels whose zero is free and not stated one by the home pose, from which searches find the way.
+    fn count_swivels_from_nothing(&mut self) -> Result<(), InputError> {
+        let mut free =
+            self.parameters.iter().filter(|parameter| parameter.kind == ParameterKind::SwivelOffset).peekable();
+        if free.peek().is_none() {
+            return Ok(());
+        }
+        let swivels = self.internal.swivels.as_ref().ok_or(InputError::NoSwivelAngles)?;
+        let (m, home) = (self.model.cable_count(), self.model.robot().home_or_middle());
+        let mut robot = self.model.robot().clone();
+        for cable in free.map(|parameter| parameter.cable) {
+            let own = || swivels.iter().skip(cable).step_by(m);
+            let direction = own().fold((0.0, 0.0), |(x, y), angle| (x + angle.cos(), y + angle.sin()));
+            let angle = Swivel::angle_at(&self.model, cable, &home);
+            if let (None, Some(angle)) = (robot.cables[cable].swivel_offset, angle) {
+                robot.cables[cable].swivel_offset = Some(f64::atan2(direction.1, direction.0) - angle);
+            }
         }
         self.model = Model::new(robot, self.model.composition())?;
         Ok(())

@@ -27,6 +27,8 @@ const SIGMAS: SensorSigmas = SensorSigmas {
     tension: Some(50.0),
     swivel: None,
     length_scale: None,
+    balance_force: None,
+    balance_moment: None,
 };
 const PRIOR: f64 = 0.02;
 /// What the balance of forces may miss (N, N·m): 1e-3 of what 50 N in each cable miss, so 1e-6 of their variance.

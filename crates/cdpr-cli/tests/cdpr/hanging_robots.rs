@@ -166,3 +166,35 @@ fn a_position_alone_is_completed_by_the_load() {
     let fixed = cdpr_in(folder.path(), "ik cogiro --position 0,0,1");
     assert!(fixed.exit_code == 2 && fixed.stderr.contains("equilibrium::position"), "{}", fixed.stderr);
 }
+
+/// Start lengths and swivel zeros of a homing run without load cells, to a tenth of their deviation beside SciPy's (case `three-cable-homing`), which
+/// weighs equilibrium by 1 N and 1 N·m and has swivel zeros of its own convention.
+#[test]
+fn a_homing_run_of_three_cables_needs_no_load_cells() {
+    let Some(folder) = super::mistaken_inputs::case("three-cable-homing") else { return };
+    let sigma = "--sigma length_m=0.001,swivel_rad=0.002";
+    for (data, free, wanted) in [
+        ("data.csv", "length-offset,swivel-offset", [1.7227, 1.6227, 1.4108]),
+        ("data-swivel-absolute.csv", "length-offset", [1.713, 1.627, 1.415]),
+    ] {
+        let balance = if data == "data.csv" { ",balance_N=1,balance_Nm=1" } else { "" };
+        let command = format!("identify robot.toml {data} --model pulley --free {free} {sigma}{balance} --format json");
+        let run = cdpr_in(folder.path(), &command);
+        let answer = run.json();
+        // a band of 58 mm of the predicted poses is not to be trusted, and is told
+        assert_eq!((run.exit_code, &answer["status"]), (1, &"not-trusted".into()), "{}", run.stderr);
+        let parameters = answer["parameters"].as_array().unwrap();
+        for (cable, wanted) in wanted.into_iter().enumerate() {
+            let name = format!("length-offset[{}]", cable + 1);
+            let own = parameters.iter().find(|one| one["name"] == name.as_str()).unwrap();
+            let (length, sigma) = (-own["value"].as_f64().unwrap(), own["sigma"].as_f64().unwrap());
+            assert!(
+                (length - wanted).abs() < f64::max(0.2 * sigma, 5e-3) && sigma < 0.03,
+                "{data} {name}: {length} {sigma}"
+            );
+        }
+        assert!(parameters.iter().all(|one| one["sigma"].is_number()));
+    }
+    let poses = cdpr_in(folder.path(), "identify robot.toml data.csv --model pulley --free length-offset");
+    assert!(!poses.stderr.contains("data::no-equations"), "{}", poses.stderr);
+}

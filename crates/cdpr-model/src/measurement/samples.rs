@@ -59,6 +59,12 @@ pub struct SensorSigmas {
     /// Factor that all recorded lengths may have in common (gear, spool, tape), as a share of it.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub length_scale: Option<f64>,
+    /// Force that cables and load may miss their equilibrium by: friction, masses (N).
+    #[serde(rename = "balance_N", skip_serializing_if = "Option::is_none")]
+    pub balance_force: Option<f64>,
+    /// Moment that they may miss it by (N·m).
+    #[serde(rename = "balance_Nm", skip_serializing_if = "Option::is_none")]
+    pub balance_moment: Option<f64>,
 }
 
 /// Data sets that cannot be used, or not together.

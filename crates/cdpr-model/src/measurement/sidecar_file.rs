@@ -27,6 +27,8 @@ impl Sidecar {
             ("tension_N", sigmas.tension),
             ("swivel_rad", sigmas.swivel),
             ("length_scale", sigmas.length_scale),
+            ("balance_N", sigmas.balance_force),
+            ("balance_Nm", sigmas.balance_moment),
         ] {
             if let Some(value) = value.filter(|value| !(*value >= 0.0)) {
                 let message = format!("a standard deviation is 0 or more, found {value}");

@@ -138,6 +138,8 @@ impl Samples {
                 .and_then(|(mean, all)| of_cables(mean, all)),
             swivel: None,
             length_scale: None,
+            balance_force: None,
+            balance_moment: None,
         }
     }
 }

@@ -130,6 +130,7 @@ impl CableReader<'_> {
             length_offset: section.length_offset_m,
             tension_scale: self.number(Kind::TensionScale, section.tension_scale)?,
             tension_offset: section.tension_offset_N,
+            swivel_offset: section.swivel_offset_rad,
             tension_at: section.tension_at,
             linear_density: self.number(Kind::LinearDensity, section.linear_density_kg_per_m)?,
             finite_elements: self.finite_elements(section.finite_elements)?,

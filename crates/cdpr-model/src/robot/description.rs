@@ -156,6 +156,8 @@ pub struct Cable {
     pub tension_scale: Option<f64>,
     /// See `tension_scale` (N); 0 when unknown.
     pub tension_offset: Option<f64>,
+    /// Recorded swivel angle of the pulley less the angle itself (rad); 0 when unknown.
+    pub swivel_offset: Option<f64>,
     /// Place at which recorded and given tensions act; the outlet when unknown. Matters with sag.
     pub tension_at: Option<TensionPlace>,
     /// Mass per length of the unstrained cable (kg/m).

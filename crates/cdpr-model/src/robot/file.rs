@@ -285,6 +285,8 @@ pub(super) struct CableSection {
     pub(super) tension_scale: Option<f64>,
     /// See `tension_scale` (N).
     pub(super) tension_offset_N: Option<f64>,
+    /// Recorded swivel angle of the pulley = swivel angle + swivel_offset_rad: the encoder's zero (rad).
+    pub(super) swivel_offset_rad: Option<f64>,
     /// Place at which recorded and given tensions act: `outlet` (the default) or `platform`. Matters with sag.
     pub(super) tension_at: Option<TensionPlace>,
     /// Mass per length of the unstrained cable (kg/m), for the effects `catenary` and `finite-element`.

@@ -194,6 +194,7 @@ impl Robot {
             length_offset_m: cable.length_offset,
             tension_scale: cable.tension_scale,
             tension_offset_N: cable.tension_offset,
+            swivel_offset_rad: cable.swivel_offset,
             tension_at: cable.tension_at,
             linear_density_kg_per_m: cable.linear_density,
             finite_elements: cable.finite_elements,

@@ -20,6 +20,8 @@ pub(crate) const NOISE: SensorSigmas = SensorSigmas {
     tension: Some(50.0),
     swivel: None,
     length_scale: None,
+    balance_force: None,
+    balance_moment: None,
 };
 
 pub(crate) fn builtin(name: &str) -> Robot {

@@ -75,6 +75,8 @@ impl Sensors {
             tension: known(sigmas.tension),
             swivel: known(sigmas.swivel),
             length_scale: None,
+            balance_force: None,
+            balance_moment: None,
         };
         Ok(Self { records, sigmas })
     }

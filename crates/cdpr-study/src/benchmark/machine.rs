@@ -151,6 +151,8 @@ fn study(robot: &Robot, rules: &BenchmarkRules) -> Study {
             tension: Some(rules.tension_share * largest),
             swivel: None,
             length_scale: None,
+            balance_force: None,
+            balance_moment: None,
         }),
         history: None,
         tolerances: None,

@@ -129,6 +129,8 @@ fn a_sagging_machine_is_identified_by_a_sagging_model() {
         tension: Some(50.0),
         swivel: None,
         length_scale: None,
+        balance_force: None,
+        balance_moment: None,
     };
     let mut start = truth.clone();
     for (index, cable) in start.cables.iter_mut().enumerate() {

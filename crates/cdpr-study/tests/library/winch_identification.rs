@@ -128,6 +128,8 @@ fn is_found(drawn: &Robot, composition: Composition, (kind, size): (ParameterKin
         tension: Some(5.0),
         swivel: None,
         length_scale: None,
+        balance_force: None,
+        balance_moment: None,
     };
     let samples = recorded(&built, composition, count, &noise, 7);
     let found = identified(drawn, composition, kind.name(), &samples);

@@ -91,6 +91,7 @@ impl<'a> Drawing<'a> {
             ParameterKind::LengthScale | ParameterKind::TensionScale => Range::Added(RATIO_RANGE),
             ParameterKind::DrumAxis | ParameterKind::SwivelAxis => Range::Added(TURN_RANGE),
             ParameterKind::StartAngle => Range::Added(PI),
+            ParameterKind::SwivelOffset => Range::Added(PI / 4.0),
             ParameterKind::TensionOffset | ParameterKind::Wrench => Range::Added(TENSION_RANGE * self.tension),
             _ => Range::Added(LENGTH_RANGE),
         }

@@ -158,6 +158,8 @@ fn exact_samples(machine: &Model, count: usize) -> Samples {
         tension: Some(50.0),
         swivel: None,
         length_scale: None,
+        balance_force: None,
+        balance_moment: None,
     };
     samples
 }

@@ -59,16 +59,21 @@ pub(crate) struct Weights {
     pub(crate) position: Option<f64>,
     /// Of forces in equilibrium (N).
     pub(crate) balance: f64,
-    /// Arm by which moments count as forces: the size of the platform as its file has it, which no parameter changes (m).
+    /// Tension to expect of a cable (N).
+    pub(super) typical: f64,
+    /// Arm by which moments count as forces: by their stated accuracies, else the size of the platform as its file has it, which no parameter changes (m).
     arm: f64,
 }
 
 impl Weights {
-    /// Stated accuracies, and assumed ones where none are stated; `mean_tension` of what is recorded (N).
+    /// Stated accuracies, and assumed ones where none are stated; `mean_tension` of what is recorded, or of what holds the load (N).
     pub(crate) fn new(model: &Model, stated: &SensorSigmas, mean_tension: f64) -> Self {
         let positive = |sigma: Option<f64>| sigma.filter(|sigma| *sigma > 0.0);
         let mean = mean_tension.abs().max(1e-3);
+        let balance = positive(stated.balance_force);
         let tension = positive(stated.tension).unwrap_or(ASSUMED_TENSION_SHARE * mean);
+        let balance = balance.unwrap_or((BALANCE_SHARE * mean).min(0.1 * tension));
+        let arm = positive(stated.balance_moment).map_or_else(|| model.platform_radius(), |moment| moment / balance);
         Self {
             length: positive(stated.length).unwrap_or(ASSUMED_NOISE),
             tension,
@@ -78,8 +83,9 @@ impl Weights {
                 stated => positive(stated),
             },
             position: positive(stated.position),
-            balance: (BALANCE_SHARE * mean).min(0.1 * tension),
-            arm: model.platform_radius(),
+            balance,
+            typical: mean,
+            arm,
         }
     }
 

@@ -133,7 +133,7 @@ impl<'a> SensorResidual<'a> {
         let m = model.cable_count();
         let tension = |sample: usize, cable: usize| match &internal.samples.tensions {
             Some(tensions) if layout.balances => tensions[sample * m + cable],
-            _ => 1.0,
+            _ => weights.typical,
         };
         let latent = |sample: usize| Latent {
             pose: guess(model, &internal.samples.poses[sample], &internal.known[sample], &home),

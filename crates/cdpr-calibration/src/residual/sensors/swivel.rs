@@ -14,7 +14,7 @@ const LEAST_PART: f64 = 1e-6;
 
 /// Swivel angle s of one cable's pulley, right-handed about the swivel axis z_A from gravity's part across it.
 pub(crate) struct Swivel {
-    /// s in (−π, π] (rad).
+    /// s as recorded, with the zero of its encoder (rad).
     pub(super) angle: f64,
     /// z_A × x_A over the distance of the platform anchor from the axis: ∂s by the platform anchor (world, 1/m).
     by_anchor: Vector3<f64>,
@@ -33,6 +33,11 @@ impl Swivel {
         axis.zip(robot.gravity).is_some_and(|(axis, gravity)| axis.cross(&gravity).norm() > LEAST_PART * gravity.norm())
     }
 
+    /// Recorded angle of a cable (0-based) at a pose (rad); `None` as [`Swivel::of`].
+    pub(crate) fn angle_at(model: &Model, cable: usize, pose: &Pose) -> Option<f64> {
+        Self::of(model, cable, pose).map(|swivel| swivel.angle)
+    }
+
     /// Angle of a cable (0-based) at a pose; `None` without swivel axis and gravity, and where one of them or the platform anchor lies along the axis.
     pub(super) fn of(model: &Model, cable: usize, pose: &Pose) -> Option<Self> {
         let (robot, rotation) = (model.robot(), pose.rotation_matrix());
@@ -48,6 +53,7 @@ impl Swivel {
         let (by_anchor, by_gravity) = (lateral(across(d)), lateral(across(gravity)));
         // a tilt of the axis moves what lies along it across
         let by_axis = by_gravity * axis.dot(&gravity) - by_anchor * axis.dot(&d);
+        let angle = angle + own.swivel_offset.unwrap_or(0.0);
         Some(Self { angle, by_anchor, by_axis, arm, rotation })
     }
 
@@ -69,6 +75,7 @@ impl Swivel {
             ParameterKind::SwivelAxis => parameter
                 .turned_axis(model.robot())
                 .map_or(0.0, |(axis, about)| self.by_axis.dot(&axis.by_turn_about(&about))),
+            ParameterKind::SwivelOffset => 1.0,
             _ => 0.0,
         }
     }

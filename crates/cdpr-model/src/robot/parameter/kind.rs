@@ -113,6 +113,8 @@ pub enum ParameterKind {
     /// Turn of the pulley's swivel axis from the given direction, about two directions perpendicular to it; for planar
     /// robots about the plane's normal (rad).
     SwivelAxis,
+    /// Zero of the encoder at a pulley's swivel: swivel_recorded = swivel angle + swivel_offset (rad).
+    SwivelOffset,
     /// Number of a law of stretch, from the list of all laws.
     Stretch(StretchNumber),
 }
@@ -184,7 +186,7 @@ const fn of(owner: Owner, name: &'static str, key: &'static str, unit: &'static 
 
 impl ParameterKind {
     /// Every kind.
-    pub(crate) const ALL: [Self; 50 + StretchNumber::COUNT] = with_stretch([
+    pub(crate) const ALL: [Self; 51 + StretchNumber::COUNT] = with_stretch([
         Self::FrameAnchor,
         Self::PlatformAnchor,
         Self::PulleyRadius,
@@ -235,16 +237,18 @@ impl ParameterKind {
         Self::PulleyInertia,
         Self::PlatformDamping,
         Self::RotationalDamping,
+        Self::SwivelOffset,
     ]);
 
     /// Kinds that identification may free, in the order of a parameter vector.
-    pub const IDENTIFIED: [Self; 17 + StretchNumber::COUNT] = with_stretch([
+    pub const IDENTIFIED: [Self; 18 + StretchNumber::COUNT] = with_stretch([
         Self::FrameAnchor,
         Self::PlatformAnchor,
         Self::LengthOffset,
         Self::LengthScale,
         Self::PulleyRadius,
         Self::SwivelAxis,
+        Self::SwivelOffset,
         Self::DrumRadius,
         Self::SpoolBuildUp,
         Self::DrumPitch,
@@ -317,6 +321,7 @@ impl ParameterKind {
             // the file states unit vectors, drum_axis and pulley_swivel_axis
             Self::DrumAxis => of(Cable, "drum-axis", "", "rad", Real),
             Self::SwivelAxis => of(Cable, "swivel-axis", "", "rad", Real),
+            Self::SwivelOffset => of(Cable, "swivel-offset", "swivel_offset_rad", "rad", Real),
             Self::Stretch(number) => {
                 let number = number.entry();
                 of(Cable, number.name, number.key, number.unit, Positive)
