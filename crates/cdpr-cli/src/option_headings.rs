@@ -16,7 +16,18 @@ const HEADINGS: &[(&str, &[&str])] = &[
     ("Criteria and orientations", &["workspace criterion", "rotation", "archetype", "angles", "orientations"]),
     (
         "Pose and load",
-        &["pose", "guess", "twist", "acceleration", "lengths", "motor-angles", "tensions", "recorded", "wrench"],
+        &[
+            "pose",
+            "position",
+            "guess",
+            "twist",
+            "acceleration",
+            "lengths",
+            "motor-angles",
+            "tensions",
+            "recorded",
+            "wrench",
+        ],
     ),
     (
         "Tensions",
