@@ -40,6 +40,7 @@ const CASES: [(&str, Option<&str>); 47] = [
     ("modes plate-in-motion.toml --pose 1.9,1.4,0", Some("moving-plate")),
     ("workspace planar-example --step 1", Some("planar-example")),
     ("workspace planar-example --wrench 0,-60000 --step 1", Some("planar-example")),
+    ("capability planar-example --box=-1,1,3,5", Some("planar-example")),
     ("model planar-example --pose 0,5.2", Some("planar-example")),
     ("advise planar-example --task=-1,1,4,6 --accuracy 0.01 --count 2", Some("planar-example")),
     ("place-pulleys planar-example --axis 0,1 --out placed.toml", Some("planar-example")),
