@@ -1,14 +1,12 @@
 //! Payload, acceleration and speed everywhere in a box.
 
 use cdpr_model::geometry::Pose;
-use cdpr_model::model::Model;
 use cdpr_model::robot::Robot;
-use cdpr_workspace::Bounds;
-use cdpr_workspace::capability::{Capability, Found, Limit, LimitedBy, Quantity, Settings, Solution, Status};
+use cdpr_workspace::capability::{Found, LimitedBy, Quantity, Solution, Status};
 use serde::Serialize;
 use serde_json::{Value, json};
 
-use super::capability_words::{limit_words, point_words, row_of};
+use super::capability_words::{AskedCapability, COLUMNS, limit_words, name_of, point_words, row_of};
 use super::{Answer, PoseAnswer, axis_names, components, title};
 use crate::number_format::{short, significant};
 use crate::table::Table;
@@ -58,28 +56,12 @@ struct Accelerations<T> {
     per_axis: Vec<T>,
 }
 
-/// What text and page show.
+/// Contents of text and page.
 pub(super) struct Shown {
     pub(super) heading: String,
     pub(super) rows: Vec<Vec<String>>,
     /// Sentences below the table.
     pub(super) words: Vec<String>,
-}
-
-pub(super) const COLUMNS: [&str; 6] = ["quantity", "value", "at least", "gap", "at", "limited by"];
-
-/// The question, as it was asked.
-pub struct AskedCapability<'a> {
-    /// The model.
-    pub model: &'a Model,
-    /// What is asked of it.
-    pub capability: &'a Capability<'a>,
-    /// The box.
-    pub bounds: &'a Bounds,
-    /// When the search stops.
-    pub settings: &'a Settings,
-    /// Distance of the payload from the platform origin along each axis (m).
-    pub payload_place: f64,
 }
 
 impl CapabilityAnswer {
@@ -145,16 +127,6 @@ impl CapabilityAnswer {
     /// Reason why the answer is negative.
     pub(super) fn reason(&self) -> Option<&str> {
         self.reason.as_deref()
-    }
-}
-
-/// Name of a quantity, and its unit.
-pub(super) fn name_of(robot: &Robot, quantity: Quantity) -> (String, &'static str) {
-    match quantity {
-        Quantity::Payload => ("payload".to_owned(), "kg"),
-        Quantity::Acceleration => ("acceleration, any direction".to_owned(), "m/s²"),
-        Quantity::AxisAcceleration(axis) => (format!("acceleration along ± {}", axis_names(robot)[axis]), "m/s²"),
-        _ => ("speed, any direction".to_owned(), "m/s"),
     }
 }
 
@@ -290,9 +262,4 @@ impl Answer for CapabilityAnswer {
         self.report.iter().for_each(|report| text.push_str(&format!("\nwrote {report}\n")));
         text
     }
-}
-
-/// True of a limit that a cable's tensions are.
-pub(super) fn is_of_tension(limit: Limit) -> bool {
-    matches!(limit, Limit::TensionMax | Limit::TensionMin)
 }

@@ -6,17 +6,15 @@
 //! argument of the corners applies. With the cables of a facet among the independent ones, T moves this facet as a whole:
 //! the bound is its exact slope, and terms of second order.
 
-use nalgebra::{SMatrix, SVector, Vector3};
+use nalgebra::{SMatrix, Vector3};
 
-use super::Capability;
 use super::demand::{Demand, along};
-use super::pose::{Course, Face};
+use super::face::{Course, Face, Rows};
+use super::question::Capability;
 use super::turning::Turning;
 use crate::Point;
 use cdpr_model::geometry::Wrench;
 
-/// Rows of the structure matrix, those of moments divided by their lengths; rows that a robot does not have are zero.
-pub(super) type Rows = SVector<f64, 6>;
 type Matrix = SMatrix<f64, 6, 6>;
 
 /// Largest bound of |T − I| with which T is used.
@@ -222,29 +220,9 @@ impl Capability<'_> {
             change * inverse
         }))
     }
-
-    /// Length by which moments are divided (m); 1 m for a robot without moments.
-    fn least_length(&self) -> f64 {
-        self.row_lengths.iter().copied().last().unwrap_or(1.0)
-    }
-
-    /// A wrench in the rows of the structure matrix, those of moments divided by their lengths.
-    pub(super) fn scaled(&self, wrench: &Wrench) -> Rows {
-        let mut rows = Rows::zeros();
-        for ((row, twist), length) in rows.iter_mut().zip(self.model.twist_basis()).zip(&self.row_lengths) {
-            *row = twist.dot(wrench) / length;
-        }
-        rows
-    }
-
-    /// The normal in world axes whose product with a wrench is that of these rows with the scaled wrench.
-    pub(super) fn normal(&self, rows: &Rows) -> Wrench {
-        let parts = rows.iter().zip(self.model.twist_basis()).zip(&self.row_lengths);
-        parts.map(|((row, twist), length)| twist * (row / length)).sum()
-    }
 }
 
-/// What a face loses in a cell.
+/// Losses of a face in a cell.
 struct Sum {
     /// Tₐᵀ n along each axis.
     turned: [Rows; 3],

@@ -1,8 +1,8 @@
-//! What a unit of each quantity adds to the load.
+//! Wrenches that a unit of each quantity adds to the load.
 
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::{Absent, Quantity};
+use super::quantity::{Absent, Quantity};
 use cdpr_model::geometry::Wrench;
 use cdpr_model::model::Model;
 
@@ -94,15 +94,11 @@ pub(super) fn along(normal: &Wrench, arm: &Vector3<f64>) -> Vector3<f64> {
 
 /// The demands of payload and accelerations, or why the robot's file does not tell them.
 pub(super) fn all(model: &Model, rotation: UnitQuaternion<f64>, payload_place: f64) -> Vec<Result<Demand, Absent>> {
-    let absent = |quantity, reason: String| Err(Absent { quantity, reason });
-    let mut all = vec![match payload(model, rotation, payload_place) {
-        Ok(weights) => Ok(Demand::Payload(weights)),
-        Err(reason) => absent(Quantity::Payload, reason),
-    }];
+    let mut all = vec![payload(model, rotation, payload_place).map(Demand::Payload)];
     let axes = model.axes();
     let quantities = std::iter::once(Quantity::Acceleration).chain((0..axes.len()).map(Quantity::AxisAcceleration));
     match moved(model) {
-        Err(reason) => all.extend(quantities.map(|quantity| absent(quantity, reason.clone()))),
+        Err(absent) => all.extend(quantities.map(|quantity| Err(Absent { quantity, ..absent.clone() }))),
         Ok(Moved { mass, center }) => {
             let arm = rotation * center;
             all.push(Ok(Demand::Ball { mass, arm, axes: axes.to_vec() }));
@@ -114,13 +110,14 @@ pub(super) fn all(model: &Model, rotation: UnitQuaternion<f64>, payload_place: f
 }
 
 /// Weights of 1 kg at every corner of its place.
-fn payload(model: &Model, rotation: UnitQuaternion<f64>, place: f64) -> Result<Vec<Wrench>, String> {
+fn payload(model: &Model, rotation: UnitQuaternion<f64>, place: f64) -> Result<Vec<Wrench>, Absent> {
+    let absent = |reason: &str| Absent { quantity: Quantity::Payload, reason: reason.to_owned() };
     let robot = model.robot();
     let Some(gravity) = robot.gravity else {
-        return Err("the robot file lacks `gravity_m_s2`, so a mass has no weight".to_owned());
+        return Err(absent("the robot file lacks `gravity_m_s2`, so a mass has no weight"));
     };
     if model.axes().iter().all(|axis| axis.dot(&gravity) == 0.0) {
-        return Err("gravity does not act along any axis of the robot, so cables do not carry the weight".to_owned());
+        return Err(absent("gravity does not act along any axis of the robot, so cables do not carry the weight"));
     }
     let turns = robot.motion_pattern.has_rotation() && place > 0.0;
     let own = if robot.motion_pattern.is_planar() { model.axes().to_vec() } else { vec![] };
@@ -141,12 +138,14 @@ struct Moved {
     center: Vector3<f64>,
 }
 
-fn moved(model: &Model) -> Result<Moved, String> {
+fn moved(model: &Model) -> Result<Moved, Absent> {
     let robot = model.robot();
-    let missing = |key: &str| format!("the robot file lacks {key} in [platform], so what accelerates is unknown");
+    let absent = |reason: String| Absent { quantity: Quantity::Acceleration, reason };
+    let missing =
+        |key: &str| absent(format!("the robot file lacks {key} in [platform], so what accelerates is unknown"));
     let mass = match robot.platform.mass {
         None => return Err(missing("`mass_kg`")),
-        Some(0.0) => return Err("`mass_kg` in [platform] is 0: nothing resists".to_owned()),
+        Some(0.0) => return Err(absent("`mass_kg` in [platform] is 0: nothing resists".to_owned())),
         Some(mass) => mass,
     };
     match robot.platform.center_of_mass {

@@ -2,9 +2,9 @@
 
 use nalgebra::Vector3;
 
-use super::Capability;
 use super::demand::{Demand, along};
-use super::pose::Face;
+use super::face::Face;
+use super::question::Capability;
 use crate::Point;
 
 /// Kind of a limit.
@@ -42,7 +42,7 @@ impl Limit {
     }
 }
 
-/// What stands in the way of more.
+/// Limit that stands in the way of more.
 #[derive(Clone, Debug, PartialEq)]
 pub struct LimitedBy {
     /// Kind of the limit.
@@ -64,8 +64,21 @@ impl LimitedBy {
     }
 }
 
+/// A pose at which the robot does not hold its own load.
+#[derive(Clone, Debug, PartialEq)]
+pub struct NotHeld {
+    /// The point.
+    pub at: Point,
+    /// Force that lacks (N), moments divided by the platform radius; ∞ where a cable has no path.
+    pub lacking: f64,
+    /// Limit that fails.
+    pub limited_by: LimitedBy,
+    /// Why there is no path, in words.
+    pub reason: Option<String>,
+}
+
 impl Capability<'_> {
-    /// What a half-space of a pose says of the cables; `demand` is what asks for more, the load itself if `None`.
+    /// Limit that a half-space of a pose is; `demand` asks for more, the load itself if `None`.
     pub(super) fn limit_of(&self, face: &Face, point: &Point, demand: Option<&Demand>) -> LimitedBy {
         let pose = self.pose(point);
         // pull per newton of a cable along the normal

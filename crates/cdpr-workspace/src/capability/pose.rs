@@ -1,64 +1,23 @@
-//! What the robot can do at one pose, and at least around it.
+//! Values at one pose, and bounds around it.
 
 use nalgebra::Vector3;
 
-use super::bound::{Cell, Rows};
+use super::bound::Cell;
 use super::demand::Demand;
-use super::limit::{Limit, LimitedBy};
+use super::face::{Course, Face, Judged, Place, Rows};
+use super::limit::{Limit, LimitedBy, NotHeld};
+use super::question::Capability;
 use super::turning::Turning;
-use super::{Capability, NotHeld};
 use crate::Point;
 use crate::wrench_set::{FacetView, Zonotope};
-use cdpr_model::cable::CablePath;
-use cdpr_model::geometry::Wrench;
-
-/// Half-space of the available wrench set, with the room that it leaves the load.
-pub(super) struct Face {
-    /// Unit normal, rows of moments divided by their lengths.
-    pub(super) scaled: Rows,
-    /// The normal in world axes.
-    pub(super) normal: Wrench,
-    /// Room d − n · w₀ (N); below zero where the load lies outside.
-    pub(super) room: f64,
-    /// Bit i: cable i is at its largest tension everywhere on it.
-    pub(super) at_largest: u64,
-    /// Bit i: cable i is at its least tension everywhere on it.
-    pub(super) at_least: u64,
-}
-
-/// A cell, and the quantities that need bounds in it.
-#[derive(Clone, Copy, Debug)]
-pub(super) struct Place {
-    pub(super) center: Point,
-    /// Half sides (m).
-    pub(super) half: Point,
-    /// Bit i: the quantity with the index i needs a bound.
-    pub(super) bounded: u32,
-}
-
-impl Place {
-    /// A pose.
-    pub(super) fn pose(center: Point) -> Self {
-        Self { center, half: [0.0; 3], bounded: 0 }
-    }
-}
-
-/// Values at the centre of a cell, and lower bounds within it.
-#[derive(Clone, Debug)]
-pub(super) struct Judged {
-    /// Value of each quantity at the centre.
-    pub(super) values: Vec<f64>,
-    /// Lower bound of each quantity in the cell; −∞ where the load may not be held, and without a bound.
-    pub(super) at_least: Vec<f64>,
-}
-
-/// Path of a cable, and its moment arm (world, m).
-pub(super) struct Course {
-    pub(super) path: CablePath<f64>,
-    pub(super) arm: Vector3<f64>,
-}
 
 impl Capability<'_> {
+    /// Value of each quantity at a point (see [`Capability::quantities`]); `None` if the robot does not hold its own
+    /// load there.
+    pub fn values(&self, point: &Point) -> Option<Vec<f64>> {
+        self.judge(&Place::pose(*point)).ok().map(|judged| judged.values)
+    }
+
     /// Judges a cell; one without extent is a pose. An error if the robot does not hold its own load at the centre.
     pub(super) fn judge(&self, place: &Place) -> Result<Judged, Box<NotHeld>> {
         let Place { center, half, bounded } = place;
@@ -94,7 +53,7 @@ impl Capability<'_> {
         Ok(Judged { values, at_least })
     }
 
-    /// What limits the quantity with this index at a point; `None` if the load is not held there.
+    /// Limit of the quantity with this index at a point; `None` if the load is not held there.
     pub(super) fn limited_by(&self, index: usize, point: &Point) -> Option<LimitedBy> {
         let demand = self.demands.get(index)?;
         if matches!(demand, Demand::Speed) {

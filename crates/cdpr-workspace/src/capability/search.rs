@@ -3,8 +3,10 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
-use super::pose::{Judged, Place};
-use super::{Absent, Capability, LimitedBy, Quantity};
+use super::face::{Judged, Place};
+use super::limit::{LimitedBy, NotHeld};
+use super::quantity::{Absent, Quantity};
+use super::question::Capability;
 use crate::{Bounds, Point, WorkspaceError};
 
 /// When the search stops.
@@ -45,7 +47,7 @@ pub struct Found {
     pub at_least: f64,
     /// Point with the least value.
     pub at: Point,
-    /// What stands in the way of more there.
+    /// Limit that stands in the way of more there.
     pub limited_by: LimitedBy,
 }
 
@@ -59,20 +61,7 @@ impl Found {
     }
 }
 
-/// A pose at which the robot does not hold its own load.
-#[derive(Clone, Debug, PartialEq)]
-pub struct NotHeld {
-    /// The point.
-    pub at: Point,
-    /// Force that lacks (N), moments divided by the platform radius; ∞ where a cable has no path.
-    pub lacking: f64,
-    /// Limit that fails.
-    pub limited_by: LimitedBy,
-    /// Why there is no path, in words.
-    pub reason: Option<String>,
-}
-
-/// What a robot can do everywhere in a box.
+/// Answer for a box.
 #[must_use = "check `status` before using the values"]
 #[derive(Clone, Debug, PartialEq)]
 pub struct Solution {

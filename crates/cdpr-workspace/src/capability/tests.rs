@@ -1,8 +1,13 @@
 use nalgebra::{UnitQuaternion, Vector3};
 
+use super::demand::Demand;
+use super::face::Place;
 use super::*;
-use crate::Bounds;
+use crate::{Bounds, Point, WorkspaceError};
+use cdpr_model::model::Model;
 use cdpr_model::robot::Robot;
+use cdpr_model::statics::Load;
+use cdpr_model::tension::Limits;
 
 const G: f64 = 10.0;
 
