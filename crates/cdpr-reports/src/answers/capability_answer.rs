@@ -14,6 +14,7 @@ use crate::table::Table;
 /// The answer; keys and units as in JSON.
 #[derive(Serialize)]
 pub struct CapabilityAnswer {
+    robot: String,
     status: &'static str,
     reason: Option<String>,
     model: String,
@@ -83,6 +84,7 @@ impl CapabilityAnswer {
             })
         });
         Self {
+            robot: robot.name.clone(),
             status: match solution.status {
                 Status::Found => "found",
                 Status::NotHeld => "not-held",
@@ -217,10 +219,13 @@ fn shown(asked: &AskedCapability<'_>, solution: &Solution) -> Shown {
             }
             false => String::new(),
         };
-        words.push(format!(
-            "The payload is a mass at the platform origin{place}, besides the robot’s own load; accelerations are those of \
-             the robot’s own mass from rest, without turning."
-        ));
+        let is_answered = |quantity: Quantity| solution.found.iter().any(|found| found.quantity == quantity);
+        if is_answered(Quantity::Payload) {
+            words.push(format!("The payload is a mass at the platform origin{place}, besides the robot’s own load."));
+        }
+        if is_answered(Quantity::Acceleration) {
+            words.push("Accelerations are those of the robot’s own mass from rest, without turning.".to_owned());
+        }
         words.push(format!(
             "“At least” holds at every pose of the box in this orientation, by branch and bound over {} poses; the value is \
              that of its pose, and the gap is the difference between the two.",

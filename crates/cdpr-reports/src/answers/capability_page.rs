@@ -6,7 +6,7 @@ use cdpr_workspace::capability::{Found, Quantity, Solution};
 use minijinja::{Value, context};
 
 use super::capability_answer::CapabilityAnswer;
-use super::capability_words::{AskedCapability, COLUMNS, limit_words, name_of, point_words};
+use super::capability_words::{AskedCapability, COLUMNS, limit_words, name_of, point_words, rounded_down};
 use super::pose_answer::axis_names;
 use crate::figures::{BoxCell, BoxMap};
 use crate::html_page::{Page, PageError, PageKind, plain, prose};
@@ -29,13 +29,12 @@ impl CapabilityAnswer {
         let row = |cells: &Vec<String>| context! { cells => cells.iter().map(|cell| prose(cell)).collect::<Vec<_>>() };
         let fact = |term: &str, text: String| context! { term => term, text => prose(&text) };
         let headline = self.reason().map_or_else(|| promise(asked, solution), capital);
+        let orientation = orientation_words(asked).map(|words| ("Orientation", words));
+        let facts = orientation.into_iter().chain([("Poses judged", solution.poses.to_string())]);
         let values = context! {
             headline => prose(&headline),
             of => prose(&self.shown.heading),
-            facts => vec![
-                fact("Orientation", orientation_words(asked)),
-                fact("Poses judged", solution.poses.to_string()),
-            ],
+            facts => facts.map(|(term, text)| fact(term, text)).collect::<Vec<_>>(),
             columns => COLUMNS,
             rows => self.shown.rows.iter().map(row).collect::<Vec<Value>>(),
             words => self.shown.words.iter().map(|word| prose(word)).collect::<Vec<_>>(),
@@ -56,7 +55,7 @@ fn promise(asked: &AskedCapability<'_>, solution: &Solution) -> String {
     let part = |found: &Found| {
         let (name, unit) = name_of(robot, found.quantity);
         match found.at_least.is_finite() {
-            true => format!("{name}: at least {} {unit}", significant(found.at_least, 3)),
+            true => format!("{name}: at least {} {unit}", significant(rounded_down(found.at_least, 3), 3)),
             false => format!("{name}: not proved everywhere"),
         }
     };
@@ -64,16 +63,17 @@ fn promise(asked: &AskedCapability<'_>, solution: &Solution) -> String {
     if parts.is_empty() { "The robot file tells none of the quantities".to_owned() } else { capital(&parts.join("; ")) }
 }
 
-fn orientation_words(asked: &AskedCapability<'_>) -> String {
+/// The orientation; `None` for a point.
+fn orientation_words(asked: &AskedCapability<'_>) -> Option<String> {
     let robot = asked.model.robot();
     let pose = asked.capability.pose(&asked.bounds.middle());
     let all = robot.motion_pattern.pose_to_components(robot.plane, &pose);
     let angles = &all[asked.model.axes().len()..];
     let parts: Vec<String> = angles.iter().map(|angle| format!("{:.4} rad", angle + 0.0)).collect();
     match parts.len() {
-        0 => "a point".to_owned(),
-        1 => parts[0].clone(),
-        _ => format!("rx, ry, rz = {}", parts.join(", ")),
+        0 => None,
+        1 => Some(format!("angle {}", parts[0])),
+        _ => Some(format!("rx, ry, rz = {}", parts.join(", "))),
     }
 }
 

@@ -50,11 +50,21 @@ pub(super) fn row_of(asked: &AskedCapability<'_>, found: &Found) -> Vec<String> 
     vec![
         name,
         number(found.value),
-        number(found.at_least),
+        number(rounded_down(found.at_least, 4)),
         format!("{} %", significant(1e2 * found.gap(), 2)),
         format!("({}) m", point_words(robot, &found.at)),
         limit_words(robot, &found.limited_by) + &direction.unwrap_or_default(),
     ]
+}
+
+/// The number cut off after so many significant digits: a bound must not be rounded up.
+pub(super) fn rounded_down(value: f64, digits: i32) -> f64 {
+    if !value.is_finite() || value <= 0.0 {
+        return value;
+    }
+    let scale = 10_f64.powi(digits - 1 - value.log10().floor() as i32);
+    // what is a number of so many digits but for rounding stays it
+    (value * scale * (1.0 + 1e-12)).floor() / scale
 }
 
 pub(super) fn point_words(robot: &Robot, point: &Point) -> String {
@@ -96,4 +106,17 @@ pub(super) fn limit_words(robot: &Robot, limited_by: &LimitedBy) -> String {
 /// True of a limit that a cable's tensions are.
 pub(super) fn is_of_tension(limit: Limit) -> bool {
     matches!(limit, Limit::TensionMax | Limit::TensionMin)
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    #[test]
+    fn bounds_are_rounded_down() {
+        for (value, digits, cut) in [(19.397, 3, 19.3), (0.998_99, 3, 0.998), (2.5, 4, 2.5), (1234.9, 2, 1200.0)] {
+            assert!((rounded_down(value, digits) - cut).abs() < 1e-12, "{value}");
+        }
+        assert_eq!(rounded_down(f64::NEG_INFINITY, 3), f64::NEG_INFINITY);
+    }
 }

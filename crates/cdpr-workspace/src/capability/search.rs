@@ -81,6 +81,8 @@ pub struct Solution {
 const SIDE: usize = 5;
 /// Cells that are cut at once.
 const BATCH: usize = 64;
+/// Share of a value that is rounding.
+const ROUNDING: f64 = 1e-12;
 /// Step at which the descent ends, as a share of the box.
 const FINEST: f64 = 1e-4;
 
@@ -274,7 +276,8 @@ impl Search<'_> {
         }
         for (one, Place { center, .. }) in judged.iter().zip(places) {
             for (best, value) in self.best.iter_mut().zip(&one.values) {
-                if *value < best.value {
+                // the first of poses that are as bad but for rounding
+                if *value < best.value * (1.0 - ROUNDING) {
                     *best = Best { value: *value, at: *center };
                 }
             }
