@@ -29,6 +29,7 @@ const CHECKS = {
   campaign: checkDrawn,
   chain: checkDrawn,
   benchmark: checkDrawn,
+  capability: checkDrawn,
 };
 
 const [executablePath, output, ...pages] = process.argv.slice(2);

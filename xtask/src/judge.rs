@@ -18,10 +18,14 @@ const JUDGES: [(&str, &str); 6] = [
 ];
 /// Judge of calibrations without measured poses: makes its records itself and runs the command on them.
 const POSELESS: &str = "judges/self_calibration/judge.py";
+/// Judge of what boxes allow: runs the command on robot files, and searches dense grids itself.
+const CAPABILITY: &str = "judges/capability/judge.py";
+/// Robot files that come with the command.
+const ROBOTS: &str = "crates/cdpr-model/robots";
 /// The judges that also compare times.
 const TIMED: [&str; 2] = ["judge_motion", "judge_tensions"];
 
-/// Passes when MuJoCo finds our lengths, equilibria and motions, DAQP and SciPy our tensions, SciPy our robust calibrations, least largest errors and fits within bounds and calibrations without poses, and scikit-learn our paths of a lasso; says why where they cannot be asked. Times
+/// Passes when MuJoCo finds our lengths, equilibria and motions, DAQP and SciPy our tensions, SciPy our robust calibrations, least largest errors and fits within bounds, calibrations without poses and what boxes allow, and scikit-learn our paths of a lasso; says why where they cannot be asked. Times
 /// are shown and not judged.
 pub(crate) fn check(root: &Path) -> Outcome {
     all(root, false)
@@ -60,10 +64,15 @@ fn all(root: &Path, with_times: bool) -> Outcome {
         };
         sum.add(one);
     }
-    sum.add(match cargo::the_command(root) {
-        Ok(program) => poseless_by(root, &python, (&program, &["--ten"])),
-        Err(complaint) => Outcome::of(vec![complaint]),
-    });
+    match cargo::the_command(root) {
+        Ok(program) => {
+            sum.add(poseless_by(root, &python, (&program, &["--ten"])));
+            let mut judge = script_of(root, &python, CAPABILITY);
+            judge.arg(&program).arg(root.join(ROBOTS));
+            sum.add(verdict(judge));
+        }
+        Err(complaint) => sum.add(Outcome::of(vec![complaint])),
+    }
     sum
 }
 

@@ -3,6 +3,7 @@
 use thiserror::Error;
 
 use super::wrench_set::{PayloadError, WrenchSetError};
+use cdpr_model::cable::winch::DrumError;
 use cdpr_model::statics::LoadError;
 use cdpr_model::tension::{InputError, LimitsError};
 
@@ -54,6 +55,24 @@ pub enum WorkspaceError {
         value: f64,
         /// Values allowed, in words.
         wanted: &'static str,
+    },
+    /// A number with which no capability can be sought.
+    #[error("the {setting} is {value}; {wanted}")]
+    Capability {
+        /// Name of the number.
+        setting: &'static str,
+        /// Value given.
+        value: f64,
+        /// Values allowed, in words.
+        wanted: &'static str,
+    },
+    /// A drum whose numbers make none.
+    #[error("cable {cable}: {error}")]
+    Drum {
+        /// Number of the cable, from 1.
+        cable: usize,
+        /// Numbers that make no drum.
+        error: DrumError,
     },
     /// The number of ends does not match the box.
     #[error("expected {expected} bounds, two per translation of the platform, found {found}")]

@@ -3,10 +3,12 @@
 //! A [`Criterion`] answers a pose with a [`Verdict`]: a signed margin and, if it fails, the first reason in words. A
 //! [`Region`] applies it to positions, in one orientation or a set of them. [`grid`] counts cells, [`octree`] refines
 //! them at the boundary only, and [`hull`] follows rays from a centre to the boundary. An [`Audit`] bounds the error of
-//! any of them, and [`refine`](mod@refine) reduces it.
+//! any of them, and [`refine`](mod@refine) reduces it. A [`capability`] is asked the other way round: what the robot can
+//! do everywhere in a given box.
 
 mod audit;
 mod bounds;
+pub mod capability;
 mod closer_bounds;
 mod components;
 pub mod criterion;

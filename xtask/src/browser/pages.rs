@@ -12,7 +12,7 @@ const NAMED: &str = "crates/cdpr-reports/src/html_page/kind.rs";
 type Maker = fn(&Path, &Path) -> Result<Vec<PathBuf>, String>;
 
 /// Every kind of page with what makes examples of it; a kind of the code without a line here fails the test.
-const KINDS: [(&str, Maker); 7] = [
+const KINDS: [(&str, Maker); 8] = [
     ("report", reports),
     ("workspace", workspaces),
     ("study", studies),
@@ -20,6 +20,7 @@ const KINDS: [(&str, Maker); 7] = [
     ("campaign", campaigns),
     ("chain", chains),
     ("benchmark", benchmarks),
+    ("capability", capabilities),
 ];
 
 /// A page in its folder.
@@ -113,6 +114,17 @@ fn benchmarks(root: &Path, folder: &Path) -> Result<Vec<PathBuf>, String> {
     let robots = "planar-example,cablerobot-simulator-helicopter";
     cdpr(root, &["benchmark", "--robots", robots, "--out", &out.display().to_string()])?;
     Ok(vec![out])
+}
+
+/// What boxes of a planar and of a spatial robot allow.
+fn capabilities(root: &Path, folder: &Path) -> Result<Vec<PathBuf>, String> {
+    let capability = |robot: &str, limits: &str| -> Result<PathBuf, String> {
+        let out = made(&folder.join(format!("capability-{robot}")))?;
+        let page = out.join("report.html").display().to_string();
+        cdpr(root, &["capability", robot, limits, "--report", &page])?;
+        Ok(out)
+    };
+    Ok(vec![capability("planar-example", "--box=-1,1,3,5")?, capability("cogiro", "--box=-1,1,-1,1,1,2")?])
 }
 
 /// The folder, made where it is not there.

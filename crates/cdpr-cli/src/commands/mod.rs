@@ -10,6 +10,7 @@ mod accuracy;
 mod advise;
 mod benchmark;
 mod campaign;
+mod capability;
 mod chain;
 mod check;
 mod compensate;
@@ -88,6 +89,7 @@ commands! {
     }
     "Workspace" {
         workspace: Workspace,
+        capability: Capability,
         reachable: Reachable,
         sweep: Sweep,
     }

@@ -16,6 +16,7 @@ use cdpr_workspace::criterion::registry::CriterionRequest;
 use cdpr_workspace::hull::Center;
 use cdpr_workspace::refine::{ByHull, ByOctree, refine};
 use cell_search::{CellSearch, Counted};
+pub(super) use orientations::rotation;
 use question::Question;
 
 use crate::answer::Output;

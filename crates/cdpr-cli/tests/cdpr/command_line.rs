@@ -27,6 +27,7 @@ pub(crate) const COMMANDS: &[&str] = &[
     "dynamics",
     "modes",
     "workspace",
+    "capability",
     "model",
     "advise",
     "place-pulleys",

@@ -22,7 +22,7 @@ const SWEEP: &str = "study = \"elastic.toml\"\nposition_error_max_m = [0.01]\nbo
                      key = \"study.limits.tension_max_N\"\nvalues = [6000, 8000]\n";
 
 /// An answer of every command, with the robot that it is about; those of one command in the order in which they can run.
-const CASES: [(&str, Option<&str>); 47] = [
+const CASES: [(&str, Option<&str>); 48] = [
     ("robots", None),
     ("robots cogiro", None),
     ("new", None),
@@ -40,6 +40,7 @@ const CASES: [(&str, Option<&str>); 47] = [
     ("modes plate-in-motion.toml --pose 1.9,1.4,0", Some("moving-plate")),
     ("workspace planar-example --step 1", Some("planar-example")),
     ("workspace planar-example --wrench 0,-60000 --step 1", Some("planar-example")),
+    ("capability planar-example --box=-1,1,3,5", Some("planar-example")),
     ("model planar-example --pose 0,5.2", Some("planar-example")),
     ("advise planar-example --task=-1,1,4,6 --accuracy 0.01 --count 2", Some("planar-example")),
     ("place-pulleys planar-example --axis 0,1 --out placed.toml", Some("planar-example")),

@@ -5,6 +5,7 @@
 mod advise;
 mod bad_input;
 mod book;
+mod capability;
 mod command_line;
 mod compensation;
 mod course;

@@ -176,6 +176,11 @@ impl Model {
         &self.parts.groups
     }
 
+    /// Outlet of one cable (0-based).
+    pub fn outlet(&self, cable: usize) -> &Outlet<f64> {
+        &self.parts.laws[cable].outlet
+    }
+
     /// Path and moment arm b = R b_P of one cable (0-based) at a pose; an error if it has no path.
     pub fn path(&self, cable: usize, pose: &Pose) -> Result<(CablePath<f64>, Vector3<f64>), GeometryError> {
         let (path, end) = self.checked_path(cable, pose.position.into(), &pose.rotation_rows())?;

@@ -117,6 +117,7 @@ impl CableReader<'_> {
             diameter: self.number(Kind::Diameter, section.diameter_m)?,
             length_min: section.length_min_m,
             length_max: section.length_max_m,
+            speed_max: self.number(Kind::SpeedMax, section.speed_max_m_s)?,
             tension_min: section.tension_min_N,
             tension_max: section.tension_max_N,
             stiffness: self.stiffness()?,

@@ -120,6 +120,8 @@ pub struct Cable {
     pub length_min: Option<f64>,
     /// Largest geometric length q allowed (m).
     pub length_max: Option<f64>,
+    /// Largest speed of the cable that is allowed (m/s); see also [`CableWinch::motor_speed_max`].
+    pub speed_max: Option<f64>,
     /// Least tension allowed (N).
     pub tension_min: Option<f64>,
     /// Largest tension allowed (N).

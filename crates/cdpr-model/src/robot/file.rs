@@ -187,6 +187,8 @@ pub(super) struct CableSection {
     /// Largest geometric length allowed, wrapped part included (m), for the criterion `cable-length`.
     #[schemars(range(min = 0))]
     pub(super) length_max_m: Option<f64>,
+    /// Largest speed at which the cable may be wound or paid out (m/s), for `cdpr capability`; what the drive allows (`motor_speed_max_rad_per_s`) limits it, too.
+    pub(super) speed_max_m_s: Option<f64>,
     /// Least tension allowed (N).
     #[schemars(range(min = 0))]
     pub(super) tension_min_N: Option<f64>,
@@ -249,6 +251,8 @@ pub(super) struct CableSection {
     pub(super) mechanical_advantage: Option<f64>,
     /// Counts of the motor's encoder in one turn of the motor.
     pub(super) encoder_counts_per_turn: Option<f64>,
+    /// Largest speed of the motor (rad/s), for `cdpr capability`: the cable's is this / gear_ratio · drum radius / mechanical_advantage. Needs `drum_radius_m`.
+    pub(super) motor_speed_max_rad_per_s: Option<f64>,
     /// Damping of the cable along the rate of its elongation (N·s/m), for `cdpr run`.
     #[schemars(range(min = 0))]
     pub(super) cable_damping_N_s_per_m: Option<f64>,

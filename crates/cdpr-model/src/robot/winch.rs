@@ -36,6 +36,8 @@ pub struct CableWinch {
     pub mechanical_advantage: Option<f64>,
     /// Counts of the motor's encoder per turn of the motor.
     pub encoder_counts_per_turn: Option<f64>,
+    /// Largest speed of the motor (rad/s); no limit when unknown.
+    pub motor_speed_max: Option<f64>,
     /// Inertia of the drum about its axis (kg·m²).
     pub drum_inertia: Option<f64>,
     /// Inertia of the motor's rotor about its axis (kg·m²).

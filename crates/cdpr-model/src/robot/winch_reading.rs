@@ -35,6 +35,7 @@ impl CableReader<'_> {
             build_up,
             mechanical_advantage,
             encoder_counts_per_turn,
+            motor_speed_max: self.number(Kind::MotorSpeedMax, section.motor_speed_max_rad_per_s)?,
             drum_inertia: self.number(Kind::DrumInertia, section.drum_inertia_kg_m2)?,
             rotor_inertia: self.number(Kind::RotorInertia, section.rotor_inertia_kg_m2)?,
             coulomb_friction: self.number(Kind::CoulombFriction, section.drum_coulomb_friction_Nm)?,
@@ -44,6 +45,11 @@ impl CableReader<'_> {
         };
         self.check_first_pulley(&winch)?;
         self.check_friction(&winch)?;
+        if winch.motor_speed_max.is_some() && winch.radius.is_none() {
+            let message = "motor_speed_max_rad_per_s is given, but no drum_radius_m";
+            let help = "a motor moves its cable by the drum's radius: add drum_radius_m, or state the cable's own speed_max_m_s";
+            return Err(self.error("motor_speed_max_rad_per_s", "robot::motor-speed", message).with_help(help));
+        }
         if winch.gear_ratio == Some(0.0) {
             return Err(self
                 .error("gear_ratio", "robot::gear-ratio", "gear_ratio is 0, so its motor could not move the drum")

@@ -5,6 +5,7 @@
 
 mod arrow;
 mod axis;
+mod box_map;
 pub mod colour;
 mod condition_cells;
 mod convergence;
@@ -31,6 +32,7 @@ mod timeline;
 mod tracking;
 mod wrapped_name;
 
+pub use box_map::{BoxCell, BoxMap};
 pub use condition_cells::ConditionCells;
 pub use convergence::convergence;
 pub use correlations::correlations;

@@ -17,6 +17,8 @@ pub(crate) enum PageKind {
     Chain,
     /// Robots and models under the same rules: `cdpr benchmark`.
     Benchmark,
+    /// Payload, acceleration and speed in a box: `cdpr capability`.
+    Capability,
 }
 
 impl PageKind {
@@ -30,6 +32,7 @@ impl PageKind {
             Self::Campaign => "campaign",
             Self::Chain => "chain",
             Self::Benchmark => "benchmark",
+            Self::Capability => "capability",
         }
     }
 }

@@ -93,6 +93,12 @@ pub(super) fn length_scale(model: &Model, criterion: &'static str, given: Option
     }
 }
 
+/// The platform radius (m) as length scale, of a model whose structure matrix does not depend on tensions.
+pub(crate) fn length_scale_of(model: &Model, criterion: &'static str) -> Result<f64, WorkspaceError> {
+    fixed_directions(model, criterion)?;
+    length_scale(model, criterion, None)
+}
+
 /// Refuses a model whose structure matrix depends on its tensions, for a criterion that uses the matrix alone.
 pub(super) fn fixed_directions(model: &Model, criterion: &'static str) -> Result<(), WorkspaceError> {
     match model.cables().has_fixed_directions() {

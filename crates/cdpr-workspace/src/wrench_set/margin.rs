@@ -21,6 +21,19 @@ pub struct HalfSpace {
     pub at_least: Vec<usize>,
 }
 
+/// A facet: normal · w ≤ offset, rows of moments divided by their lengths.
+#[derive(Clone, Copy, Debug)]
+pub(crate) struct FacetView {
+    /// Unit normal, outwards.
+    pub(crate) normal: Rows,
+    /// Offset (N).
+    pub(crate) offset: f64,
+    /// Bit i: cable i is at its largest tension everywhere on it.
+    pub(crate) at_largest: u64,
+    /// Bit i: cable i is at its least tension everywhere on it.
+    pub(crate) at_least: u64,
+}
+
 /// The capacity margin of a required set.
 #[derive(Clone, Debug, PartialEq)]
 pub struct Margin {
@@ -41,6 +54,21 @@ impl Zonotope {
     /// All half-spaces, whose intersection is the set.
     pub fn half_spaces(&self) -> Vec<HalfSpace> {
         self.facets.iter().map(|facet| self.half_space(facet)).collect()
+    }
+
+    /// All facets, by bits of their cables.
+    pub(crate) fn facets(&self) -> impl Iterator<Item = FacetView> + '_ {
+        let bits = |generators: u64| {
+            let cables = self.cables.iter().enumerate();
+            cables.filter(|(index, _)| generators & (1 << index) != 0).map(|(_, &cable)| 1_u64 << cable).sum()
+        };
+        let all = (1_u64 << self.generators.len()) - 1;
+        self.facets.iter().map(move |facet| FacetView {
+            normal: facet.normal,
+            offset: facet.offset,
+            at_largest: bits(facet.plus & !facet.free),
+            at_least: bits(all & !facet.plus & !facet.free),
+        })
     }
 
     fn half_space(&self, facet: &Facet) -> HalfSpace {

@@ -16,6 +16,7 @@ mod tests;
 mod vertices;
 mod zonotope;
 
+pub(crate) use margin::FacetView;
 pub use margin::{HalfSpace, Margin};
 pub use payload::{Payload, PayloadError};
 pub use required::{Parallelotope, RequiredSet};

@@ -21,7 +21,7 @@ const ARCHETYPES: &[&str] = &["total-orientation", "inclusion-orientation", "max
 
 /// Groups.
 pub(crate) fn groups() -> Vec<Group> {
-    vec![all_effects(), planar(), spatial(), lab(), advice()]
+    vec![all_effects(), planar(), spatial(), lab(), advice(), boxes()]
 }
 
 /// The machine with every effect under each control model.
@@ -30,6 +30,15 @@ fn all_effects() -> Group {
         .whole_only()
         .write("lab.toml", LAB)
         .call("advise lab.toml --task=-0.5,0.5,-0.4,0.4,1,1.5 --accuracy 0.002 --count 2")
+}
+
+/// Payload, acceleration and speed in boxes; one is too wide.
+fn boxes() -> Group {
+    Group::new("capability")
+        .call("capability planar-example --box=-1,1,3,5")
+        .call("capability cogiro --box=-1,1,-1,1,1,2 --payload-place 0.1 --gap 0.05")
+        .call("capability cogiro --box=-8,3,-2,2,1,3")
+        .call("capability kntu-planar --box=-0.3,0.3,-0.3,0.3 --rotation 0.05")
 }
 
 fn planar() -> Group {

@@ -124,7 +124,11 @@ fn angle_count(model: &Model) -> usize {
 }
 
 /// The orientation with these angles.
-fn rotation(model: &Model, option: &str, angles: &[f64]) -> Result<UnitQuaternion<f64>, Failure> {
+pub(in crate::commands) fn rotation(
+    model: &Model,
+    option: &str,
+    angles: &[f64],
+) -> Result<UnitQuaternion<f64>, Failure> {
     let robot = model.robot();
     let (expected, found) = (angle_count(model), angles.len());
     if expected == 0 && found > 0 {

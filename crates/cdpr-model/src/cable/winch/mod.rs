@@ -3,6 +3,7 @@
 pub mod drum;
 mod layers;
 mod parameters;
+mod speed;
 #[cfg(test)]
 mod tests;
 pub mod turns;
@@ -12,6 +13,7 @@ use std::f64::consts::TAU;
 use crate::robot::{Cable, GrooveEnds};
 pub use drum::{Departure, Drum, DrumError, GrooveError};
 pub use parameters::{DrumLength, Mounting, Parameters};
+pub use speed::SpeedLimit;
 
 /// A drum with its gear and encoder.
 #[derive(Clone, Debug, PartialEq)]

@@ -62,6 +62,8 @@ pub enum ParameterKind {
     LengthMin,
     /// Largest geometric length allowed (m).
     LengthMax,
+    /// Largest speed of the cable (m/s).
+    SpeedMax,
     /// Least wrap angle on the pulley (rad).
     WrapMin,
     /// Largest wrap angle on the pulley (rad).
@@ -78,6 +80,8 @@ pub enum ParameterKind {
     GearRatio,
     /// Counts of the motor's encoder in one turn of the motor; without unit.
     EncoderCounts,
+    /// Largest speed of the motor (rad/s).
+    MotorSpeedMax,
     /// Gravity (world, m/s²).
     Gravity,
     /// Increase of a spool's squared radius per metre wound (m); identified from motor angles.
@@ -186,7 +190,7 @@ const fn of(owner: Owner, name: &'static str, key: &'static str, unit: &'static 
 
 impl ParameterKind {
     /// Every kind.
-    pub(crate) const ALL: [Self; 51 + StretchNumber::COUNT] = with_stretch([
+    pub(crate) const ALL: [Self; 53 + StretchNumber::COUNT] = with_stretch([
         Self::FrameAnchor,
         Self::PlatformAnchor,
         Self::PulleyRadius,
@@ -212,6 +216,7 @@ impl ParameterKind {
         Self::TensionMax,
         Self::LengthMin,
         Self::LengthMax,
+        Self::SpeedMax,
         Self::WrapMin,
         Self::WrapMax,
         Self::DrumPitch,
@@ -220,6 +225,7 @@ impl ParameterKind {
         Self::LayerHeight,
         Self::GearRatio,
         Self::EncoderCounts,
+        Self::MotorSpeedMax,
         Self::Gravity,
         Self::DrumAxis,
         Self::SwivelAxis,
@@ -296,6 +302,7 @@ impl ParameterKind {
             Self::TensionMax => of(Cable, "tension-max", "tension_max_N", "N", NotNegative),
             Self::LengthMin => of(Cable, "length-min", "length_min_m", "m", NotNegative),
             Self::LengthMax => of(Cable, "length-max", "length_max_m", "m", NotNegative),
+            Self::SpeedMax => of(Cable, "speed-max", "speed_max_m_s", "m/s", Positive),
             Self::WrapMin => of(Cable, "wrap-min", "pulley_wrap_min_rad", "rad", NotNegative),
             Self::WrapMax => of(Cable, "wrap-max", "pulley_wrap_max_rad", "rad", NotNegative),
             Self::DrumPitch => of(Cable, "drum-pitch", "drum_pitch_m", "m", NotNegative),
@@ -318,6 +325,7 @@ impl ParameterKind {
             Self::PulleyFriction => of(Cable, "pulley-friction", "pulley_friction", "", NotNegative),
             Self::PulleyInertia => of(Cable, "pulley-inertia", "pulley_inertia_kg_m2", "kg·m²", NotNegative),
             Self::EncoderCounts => of(Cable, "encoder-counts", "encoder_counts_per_turn", "", Positive),
+            Self::MotorSpeedMax => of(Cable, "motor-speed-max", "motor_speed_max_rad_per_s", "rad/s", Positive),
             // the file states unit vectors, drum_axis and pulley_swivel_axis
             Self::DrumAxis => of(Cable, "drum-axis", "", "rad", Real),
             Self::SwivelAxis => of(Cable, "swivel-axis", "", "rad", Real),

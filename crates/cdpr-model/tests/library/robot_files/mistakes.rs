@@ -206,6 +206,8 @@ fn mistakes_of_winches_are_told_with_their_place() {
         ("gear_ratio = -12.0", "gear_ratio = 0.0", "0.0", "robot::gear-ratio"),
         ("\"right\"", "\"top\"", "\"top\"", "toml::unknown-value"),
         ("encoder_counts_per_turn = 4096.0", "encoder_counts_per_turn = -1.0", "-1.0", "robot::not-positive"),
+        ("speed_max_m_s = 3.0", "speed_max_m_s = 0.0", "0.0", "robot::not-positive"),
+        ("drum_radius_m = 0.1\n", "", "300.0", "robot::motor-speed"),
     ] {
         mistake(&text, from, to, at, code);
     }

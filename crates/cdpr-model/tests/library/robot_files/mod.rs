@@ -225,7 +225,7 @@ fn with_drum() -> String {
         "drum_radius_m = 0.1\ndrum_pitch_m = 0.008\ndrum_axis = [0.0, 1.0, 0.0]\ndrum_position_m = [-1.0, -0.5, 0.2]\n\
          drum_side = \"right\"\ndrum_guided = false\ndrum_pulley_m = [-1.0, 2.5]\ndrum_start_angle_rad = 0.3\n\
          drum_start_length_m = 1.5\ndrum_groove_length_m = 0.2\ndrum_layer_height_m = 0.007\ngear_ratio = -12.0\n\
-         encoder_counts_per_turn = 4096.0\ndrum_inertia_kg_m2 = 0.6\ndrum_coulomb_friction_Nm = 10.0\n\
+         encoder_counts_per_turn = 4096.0\nspeed_max_m_s = 3.0\nmotor_speed_max_rad_per_s = 300.0\ndrum_inertia_kg_m2 = 0.6\ndrum_coulomb_friction_Nm = 10.0\n\
          drum_static_friction_Nm = 15.0\ndrum_stribeck_speed_rad_per_s = 0.25\npulley_friction = 0.03\n\
          pulley_inertia_kg_m2 = 0.02\nplatform_anchor_m = ",
         1,
@@ -246,6 +246,7 @@ fn every_winch_key_is_read_and_written() {
     assert_eq!((cable.winch.start_angle, cable.winch.start_length), (Some(0.3), Some(1.5)));
     assert_eq!((cable.winch.groove_length(), cable.winch.layer_height()), (Some(0.2), Some(0.007)));
     assert_eq!(cable.winch.encoder_counts_per_turn, Some(4096.0));
+    assert_eq!((cable.speed_max, cable.winch.motor_speed_max), (Some(3.0), Some(300.0)));
     assert_eq!(Robot::from_toml(&robot.to_toml(), "frame.toml").unwrap(), robot);
 }
 
