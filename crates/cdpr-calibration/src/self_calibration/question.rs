@@ -68,7 +68,9 @@ pub(super) fn sensing(model: &Model, internal: &InternalSamples, asked: Forces) 
     let samples = &internal.samples;
     let has_load = asked == Forces::Wrench || Load::of(model.robot()).is_ok();
     let is_told = asked != Forces::Nothing || model.cable_count() <= model.dof();
-    let hangs = model.cable_count() < model.dof();
+    // beside lengths alone equilibrium leaves no equation
+    let has_others = internal.swivels.is_some() || internal.known.iter().flatten().any(|known| *known);
+    let hangs = model.cable_count() < model.dof() && has_others;
     let balances = model.needs_tensions() || has_load && (samples.tensions.is_some() && is_told || hangs);
     let holding = || Load::of(model.robot()).map_or(0.0, |load| load.force() / model.cable_count() as f64);
     let typical = samples.tensions.as_deref().map_or_else(holding, mean);
