@@ -10,6 +10,7 @@ use cdpr_model::statics::Load;
 use cdpr_model::tension::{Limits, LimitsError};
 use clap::Args;
 
+use crate::commands::new::template_names;
 use crate::failure::Failure;
 use crate::files;
 use crate::numbers::NumberList;
@@ -85,12 +86,21 @@ pub(crate) fn read_robot(text: &str) -> Result<Robot, Failure> {
     Err(Failure::input("robot::unknown-name", message, help_for_unknown_robot(text)))
 }
 
-/// The built-in robot that a wrong name probably meant.
+/// The built-in robot or the template that a wrong name probably meant.
 pub(crate) fn help_for_unknown_robot(text: &str) -> String {
+    let of_template = |template: &str| {
+        format!(
+            "`{template}` is a template: `cdpr new {template}` writes a folder of this name, and its robot is `{template}/robot.toml`"
+        )
+    };
+    if template_names().any(|template| template == text) {
+        return of_template(text);
+    }
     let names: Vec<&str> = builtin::names().collect();
-    match did_you_mean(text, names.iter().copied()) {
-        Some(meant) => format!("did you mean `{meant}`? `cdpr robots` lists the built-in robots"),
-        None => format!("give the path of a robot file, or one of the built-in robots: {}", names.join(", ")),
+    match (did_you_mean(text, names.iter().copied()), did_you_mean(text, template_names())) {
+        (Some(meant), _) => format!("did you mean `{meant}`? `cdpr robots` lists the built-in robots"),
+        (None, Some(template)) => of_template(template),
+        (None, None) => format!("give the path of a robot file, or one of the built-in robots: {}", names.join(", ")),
     }
 }
 

@@ -4,7 +4,7 @@ use super::input_error::InputError;
 use super::settings::{Settings, prior_sigma};
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::{FreeParameters, LengthShift, Model, RecordingParameter, ShiftCourse};
-use cdpr_model::robot::{Parameter, ParameterKind};
+use cdpr_model::robot::Parameter;
 use cdpr_model::solve::not_positive;
 
 /// The free parameters, where model, samples and settings allow a fit of them.
@@ -53,7 +53,7 @@ pub(crate) fn check_motor_angles(parameters: &[Parameter], samples: &Samples) ->
 
 /// Refuses zeros of swivels, which lengths say nothing of.
 fn check_swivels(parameters: &[Parameter]) -> Result<(), InputError> {
-    let is_free = parameters.iter().any(|parameter| parameter.kind == ParameterKind::SwivelOffset);
+    let is_free = parameters.iter().any(|parameter| parameter.kind.needs_swivels());
     if is_free { Err(InputError::NoSwivelAngles) } else { Ok(()) }
 }
 

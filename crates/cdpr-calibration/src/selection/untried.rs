@@ -24,7 +24,8 @@ pub(super) fn untried(robot: &Robot, candidates: &[Candidate], has_tensions: boo
         EFFECTS.iter().filter(|effect| !has(effect)).map(|effect| effect_words(robot, has_tensions, effect)).collect();
     let frees = |kind: &ParameterKind| candidates.iter().any(|candidate| candidate.free.names(*kind));
     let belongs = |kind: &ParameterKind| {
-        let is_of = |of: Composition| missing_effect(*kind, of).is_none() && (of.drum || !kind.needs_motor_angles());
+        let is_read = |of: Composition| (of.drum || !kind.needs_motor_angles()) && !kind.needs_swivels();
+        let is_of = |of: Composition| missing_effect(*kind, of).is_none() && is_read(of);
         candidates.iter().any(|candidate| is_of(candidate.composition))
     };
     let kinds = ParameterKind::IDENTIFIED.into_iter().filter(|kind| belongs(kind) && !frees(kind));

@@ -96,6 +96,11 @@ impl Start {
     }
 }
 
+/// Names of the templates.
+pub(crate) fn template_names() -> impl Iterator<Item = &'static str> {
+    material::TEMPLATES.iter().map(|template| template.name)
+}
+
 /// Names of the templates and of the book's studies.
 pub(crate) fn names() -> impl Iterator<Item = &'static str> {
     material::TEMPLATES.iter().map(|template| template.name).chain(material::study_names())

@@ -112,6 +112,10 @@ fn an_unknown_robot_is_answered_by_the_one_meant() {
     let run = cdpr("check planar-exampel");
     assert_eq!(run.exit_code, 2);
     assert!(run.stderr.contains("did you mean `planar-example`?"), "{}", run.stderr);
+    let template = cdpr("ik suspended-camera --pose 0,0,1");
+    assert!(template.stderr.contains("`cdpr new suspended-camera`"), "{}", template.stderr);
+    let anchors = cdpr("identify planar-example data.csv --free anchors");
+    assert!(anchors.stderr.contains("did you mean `frame-anchor` or `platform-anchor`?"), "{}", anchors.stderr);
     let nothing_like_it = cdpr("check qqq");
     assert!(nothing_like_it.stderr.contains("cogiro"), "{}", nothing_like_it.stderr);
 }

@@ -139,7 +139,16 @@ pub fn missing_effect(kind: ParameterKind, composition: Composition) -> Option<&
     }
 }
 
+/// Names that a word probably meant, as the end of a sentence: those that hold it, or the closest.
 fn suggestion(name: &str) -> String {
+    let stem = name.strip_suffix('s').unwrap_or(name);
+    let holding: Vec<String> = FreeParameters::known_names()
+        .filter(|known| stem.len() > 3 && known.contains(stem))
+        .map(|known| format!("`{known}`"))
+        .collect();
+    if !holding.is_empty() {
+        return format!("; did you mean {}?", holding.join(" or "));
+    }
     let close = |known: &&str| strsim::jaro_winkler(known, name);
     match FreeParameters::known_names().max_by(|a, b| close(a).total_cmp(&close(b))) {
         Some(known) if close(&known) > 0.75 => format!("; did you mean `{known}`?"),

@@ -21,6 +21,11 @@ impl ParameterKind {
         matches!(self, Self::DrumRadius | Self::SpoolBuildUp | Self::StartLength)
     }
 
+    /// True for parameters that only recorded swivel angles can identify.
+    pub fn needs_swivels(self) -> bool {
+        self == Self::SwivelOffset
+    }
+
     /// True for parameters that only recorded motor angles can identify.
     pub fn needs_motor_angles(self) -> bool {
         matches!(self, Self::DrumPitch | Self::DrumAxis | Self::StartAngle) || self.is_of_ideal_winch()

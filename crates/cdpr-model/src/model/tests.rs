@@ -321,7 +321,7 @@ fn the_gradient_by_parameters_is_the_gradient_of_the_recorded_length() {
     let row = path.recorded_length_row(&tilted_pose().rotation_rows(), 1.0, model.law(0).recording.length_scale);
     let kinds: Vec<_> = ParameterKind::IDENTIFIED
         .into_iter()
-        .filter(|kind| !kind.needs_elasticity() && !kind.needs_motor_angles())
+        .filter(|kind| !kind.needs_elasticity() && !kind.needs_motor_angles() && !kind.needs_swivels())
         .collect();
     let free = FreeParameters::of(&kinds);
     for parameter in free.parameters(&model, &FreeParameters::default()).unwrap() {
