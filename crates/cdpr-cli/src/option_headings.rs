@@ -27,6 +27,8 @@ const HEADINGS: &[(&str, &[&str])] = &[
             "tensions",
             "recorded",
             "wrench",
+            "box",
+            "payload-place",
         ],
     ),
     (
@@ -64,6 +66,8 @@ const HEADINGS: &[(&str, &[&str])] = &[
             "center",
             "step",
             "rays",
+            "gap",
+            "capability poses",
             "tolerance",
             "minimizer",
             "engine",
