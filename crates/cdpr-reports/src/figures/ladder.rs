@@ -259,7 +259,7 @@ fn rows(names: &[Vec<String>], layout: &Layout) -> Vec<Row> {
     let mut top = TOP;
     let row = |lines: &Vec<String>| {
         let text = LINE * lines.len() as f64;
-        let height = if layout.above { text + 22.0 } else { (text + 8.0).max(22.0) };
+        let height = if layout.above { text + 22.0 } else { (text + 3.0).max(17.0) };
         let rung = if layout.above { top + text + 12.0 } else { top + 0.5 * height };
         let row = Row { top, bottom: top + height, rung };
         top += height;
