@@ -61,7 +61,11 @@ async function firstScreen(page, data) {
     const [ladder, map] = [await page.locator('figure[data-figure="ladder"]').boundingBox(), await page.locator('figure[data-chart="map"]').boundingBox()];
     if (ladder.x + ladder.width > map.x) found.push("the map does not stand beside the ladder");
     const drawing = page.locator('figure[data-figure="ladder"] .beside svg');
-    if ((await drawing.locator(".as-good").count()) < 1) found.push("the ladder has no shade of what is as good as the best");
+    // the best's line through every row; a shade beside it where a candidate is compared
+    const rows = data.result.candidates.length;
+    const compared = data.result.candidates.filter((candidate) => candidate.compared).length;
+    if ((await drawing.locator(".limit").count()) !== rows) found.push("the best's line does not go through every row of the ladder");
+    if ((await drawing.locator(".as-good").count()) < compared) found.push("a candidate of the ladder has no shade of what is as good as the best");
     if (!(await drawing.textContent()).includes("logarithmic")) found.push("the ladder is not logarithmic");
   }
   return found;

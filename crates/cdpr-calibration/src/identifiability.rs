@@ -4,7 +4,7 @@ use std::ops::Range;
 
 use nalgebra::{DMatrix, DVector, Matrix3, Vector3};
 
-use super::autocorrelation::correlation_time;
+use super::correlated_rows;
 use super::fit::{Settings, prior_sigma};
 use super::minimize::unknowns::Unknowns;
 use super::noise::Noise;
@@ -63,7 +63,8 @@ pub struct Analysis {
     pub(super) inflation: f64,
     /// Longest correlation time of residuals over consecutive samples; 1 where these are independent.
     pub(super) correlation_time: f64,
-    pub(super) warnings: Vec<String>,
+    /// Warning about residuals that repeat each other; `None` where they are independent.
+    pub(super) repeated_rows: Option<String>,
 }
 
 impl Analysis {
@@ -72,11 +73,6 @@ impl Analysis {
         self.weak_direction_count = directions.len();
         self.weak_deviation = directions.iter().map(Direction::deviation).fold(0.0, f64::max);
         self.weak_directions = describe(model, directions);
-    }
-
-    /// Residuals that repeat each other in words; `None` where they are independent.
-    pub(super) fn repeated_rows(&self) -> Option<&str> {
-        self.warnings.first().filter(|_| self.correlation_time > 1.0).map(String::as_str)
     }
 
     /// Writes all coefficients (row i: with the parameters 0 to i) and the pairs above the limit.
@@ -90,8 +86,6 @@ impl Analysis {
     }
 }
 
-/// Independent rows below which their scatter tells a deviation to no better than a quarter.
-pub(super) const FEW_ROWS: f64 = 8.0;
 /// Correlations above this are reported.
 const CORRELATION_LIMIT: f64 = 0.95;
 
@@ -122,13 +116,13 @@ pub(super) fn analyse(
         plain_values.extend(singular_values(plain.clone()).into_iter().take(told));
         scaled_values.extend(singular_values(with_unit_columns(plain)).into_iter().take(told));
 
-        let times = correlation_times(group, norms);
-        let time = typical(&times);
+        let times = correlated_rows::times(group, norms);
+        let time = correlated_rows::typical(&times);
         longest_time = longest_time.max(time);
         let priors = prior_weights(parameters, settings);
         let mut weighted = group.weighted.clone();
         weighted.push_diagonal(priors.iter().map(|weight| weight.sqrt()));
-        let correlated = (time > 1.0).then(|| correlated_information(group, &times));
+        let correlated = (time > 1.0).then(|| correlated_rows::information(group, &times));
         let uncertainty = Uncertainty::new(&spectrum(weighted), noise.inflation, &priors, correlated.as_ref());
         analysis.undetermined += uncertainty.undetermined;
         rows.extend(uncertainty.correlation_rows(rows.len()));
@@ -152,65 +146,9 @@ pub(super) fn analyse(
     analysis.singular_values = plain_values;
     analysis.set_weak_directions(model, directions);
     analysis.correlation_time = longest_time;
-    if longest_time > 1.0 {
-        analysis.warnings.push(repeated(longest_time, samples.len(), groups.len() > 1));
-    }
+    analysis.repeated_rows =
+        (longest_time > 1.0).then(|| correlated_rows::words(longest_time, samples.len(), groups.len() > 1));
     analysis
-}
-
-/// Correlation times of a group's rows; outliers say as little of correlation as of parameters.
-fn correlation_times(group: &GroupRows, norms: &Norms) -> Vec<f64> {
-    let time = |series: &Vec<f64>| {
-        let mut series = series.clone();
-        norms.weigh(&mut series);
-        correlation_time(&series)
-    };
-    group.series.iter().map(time).collect()
-}
-
-/// The second largest, or the only one: of several rows of a sample chance correlates one now and then, hardly two, and noise of a pose is in as many
-/// rows as it has components, whatever the noise of tensions in the others.
-fn typical(times: &[f64]) -> f64 {
-    let mut times = times.to_vec();
-    times.sort_by(|a, b| b.total_cmp(a));
-    times[1.min(times.len() - 1)]
-}
-
-/// Jᵀ C J of the rows in units of their noise, C the correlation of each row's series: a first-order autoregression with its correlation time.
-fn correlated_information(group: &GroupRows, times: &[f64]) -> DMatrix<f64> {
-    let (columns, kinds) = (group.weighted_rows.ncols(), times.len());
-    let samples = group.weighted_rows.nrows() / kinds.max(1);
-    let mut information = DMatrix::zeros(columns, columns);
-    let mut half = DMatrix::zeros(samples, columns);
-    for (kind, time) in times.iter().enumerate() {
-        let correlation = (time - 1.0) / (time + 1.0);
-        let own = group.weighted_rows.rows_with_step(kind, samples, kinds - 1);
-        for column in 0..columns {
-            // Σ ρᵏ of the rows k behind, from the last row on
-            let mut behind = 0.0;
-            for sample in (0..samples).rev() {
-                let entry = own[(sample, column)];
-                half[(sample, column)] = 0.5 * entry + behind;
-                behind = correlation * (entry + behind);
-            }
-        }
-        information += own.tr_mul(&half);
-    }
-    &information + information.transpose()
-}
-
-/// Warning about residuals that repeat each other, of several cables by up to so much.
-fn repeated(time: f64, samples: usize, are_several: bool) -> String {
-    let up_to = if are_several { "up to " } else { "" };
-    let few = match samples as f64 / time < FEW_ROWS {
-        true => ", but so few hardly tell them: record longer",
-        false => "",
-    };
-    format!(
-        "residuals of consecutive samples repeat each other (correlation time {up_to}{time:.0} samples, so that the {samples} rows are worth {:.0} independent \
-         ones where the pose changes slowly): standard deviations account for it{few}",
-        samples as f64 / time
-    )
 }
 
 /// Singular values with right singular vectors of rows with this triangular factor.

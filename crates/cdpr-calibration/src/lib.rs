@@ -10,6 +10,7 @@ pub mod candidate;
 mod clock;
 mod clock_test;
 pub mod compensation;
+mod correlated_rows;
 mod course;
 pub mod coverage;
 mod cross_validation;

@@ -20,8 +20,8 @@ use cdpr_model::scalar::map_all;
 /// Ratio of two deviations beyond which they contradict each other.
 const DIFFERENT: f64 = 1.5;
 
-/// Blocks below which the scatter of the replicates tells less than the linear deviations do: with 8 blocks of autoregressive noise intervals by the bootstrap
-/// held 84 to 91 %, linear ones 91 to 92 %; with 30 blocks 94 and 96 %.
+/// Number of blocks below which the linear deviations are advised: with 8 blocks of autoregressive noise intervals by the bootstrap held 84 to 91 %, linear
+/// ones 91 to 92 %; with 30 blocks 94 and 96 %.
 const LEAST_BLOCKS: usize = 20;
 
 /// Parameters that a warning names before it only counts the rest.

@@ -34,38 +34,48 @@ pub(crate) fn hanging_at(model: &Model, at: &Pose, wrench: Option<&NumberList>) 
     hanging_poses(model, &load, at).map_err(|error| Failure::refused("--position", &error))
 }
 
-/// Pose at which the platform comes to rest with the lengths of a pose that its load does not allow.
-pub(crate) struct Elsewhere {
-    pub(crate) pose: Pose,
-    /// Distance (m) and turn (rad) from the pose that was wanted.
-    pub(crate) distance: f64,
-    pub(crate) turn: f64,
+/// Doubt about a pose that the load of a hanging platform does not allow.
+pub(crate) struct NotAtRest {
+    /// Part of the load that the cables leave, as a share of its force.
+    share: f64,
+    /// Pose at which the platform comes to rest with the lengths of the one that was wanted; `None` if none is found.
+    rest: Option<Pose>,
+    wanted: Pose,
 }
 
-impl Elsewhere {
-    /// `None` where cables fix the pose, the load is unknown or holds the pose, or no pose is found.
-    pub(crate) fn of(model: &Model, pose: &Pose) -> Option<Self> {
+impl NotAtRest {
+    /// `None` where cables fix the pose, the load is unknown or holds the pose.
+    pub(crate) fn of(model: &Model, wanted: &Pose) -> Option<Self> {
         let load = Load::of(model.robot()).ok()?;
-        unbalanced_share(model, &load, pose).ok()??;
-        let lengths = model.cable_lengths(pose).ok()?;
-        let mut state = State::at(model, pose);
-        let found =
-            model.forward_with(&ForwardSettings::default(), &lengths, Some(&load), Some(pose), &mut state).ok()?;
-        let end = found.pose;
-        (found.status == Status::Converged).then(|| Self {
-            pose: end,
-            distance: (end.position - pose.position).norm(),
-            turn: end.rotation.angle_to(&pose.rotation),
-        })
+        let share = unbalanced_share(model, &load, wanted).ok()??;
+        let rest = || {
+            let lengths = model.cable_lengths(wanted).ok()?;
+            let mut state = State::at(model, wanted);
+            let settings = ForwardSettings::default();
+            let found = model.forward_with(&settings, &lengths, Some(&load), Some(wanted), &mut state).ok()?;
+            (found.status == Status::Converged).then_some(found.pose)
+        };
+        Some(Self { share, rest: rest(), wanted: *wanted })
     }
 
-    /// The pose in words, with its distance and turn.
+    /// Distance from the pose that was wanted (m); infinite where no pose at rest is found.
+    pub(crate) fn distance(&self) -> f64 {
+        self.rest.map_or(f64::INFINITY, |rest| (rest.position - self.wanted.position).norm())
+    }
+
+    /// The pose at rest in words, with its distance and turn.
     pub(crate) fn words(&self, robot: &Robot) -> String {
-        format!(
-            "{}, {:.1} mm and {:.1}° away",
-            PoseAnswer::new(robot, &self.pose).words(),
-            1e3 * self.distance,
-            self.turn.to_degrees()
-        )
+        match &self.rest {
+            Some(rest) => format!(
+                "with these lengths it comes to rest at {}, {:.1} mm and {:.1}° away",
+                PoseAnswer::new(robot, rest).words(),
+                1e3 * self.distance(),
+                rest.rotation.angle_to(&self.wanted.rotation).to_degrees()
+            ),
+            None => format!(
+                "cables that pull leave {:.0} % of it, and no pose is found at which the platform comes to rest with these lengths",
+                1e2 * self.share
+            ),
+        }
     }
 }

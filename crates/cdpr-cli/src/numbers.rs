@@ -23,7 +23,7 @@ impl<T: Into<String>> From<T> for Unreadable {
 }
 
 /// Finite numbers separated by commas, e.g. `0.5,-4`.
-#[derive(Clone, Debug, Default, PartialEq)]
+#[derive(Clone, Debug, PartialEq)]
 pub(crate) struct NumberList(pub(crate) Vec<f64>);
 
 impl FromStr for NumberList {

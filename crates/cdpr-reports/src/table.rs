@@ -108,7 +108,7 @@ const LEAST_WIDTH: usize = 12;
 
 /// The words of a cell in lines of this many columns; names break after their separators, at hyphens and in the middle of
 /// words only where a piece alone is too long.
-fn wrapped(cell: &str, width: usize) -> Vec<String> {
+pub(crate) fn wrapped(cell: &str, width: usize) -> Vec<String> {
     if length(cell) <= width || width == 0 {
         return vec![cell.to_owned()];
     }

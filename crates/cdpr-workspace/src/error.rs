@@ -16,10 +16,10 @@ pub enum WorkspaceError {
     NoCriterion,
     /// A criterion for straight cables was requested for sagging ones.
     #[error(
-        "the criterion `{criterion}` asks for directions that do not depend on tensions, but the cables of the model sag; leave the effect out"
+        "`{criterion}` asks for directions that do not depend on tensions, but the cables of the model sag; leave the effect out"
     )]
     SaggingCables {
-        /// Name of the criterion.
+        /// Name of the criterion, or of the question.
         criterion: &'static str,
     },
     /// The robot's file lacks a key that the criterion needs.

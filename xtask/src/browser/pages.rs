@@ -116,7 +116,7 @@ fn benchmarks(root: &Path, folder: &Path) -> Result<Vec<PathBuf>, String> {
     Ok(vec![out])
 }
 
-/// What boxes of a planar and of a spatial robot allow.
+/// Capabilities of a planar and of a spatial robot in boxes.
 fn capabilities(root: &Path, folder: &Path) -> Result<Vec<PathBuf>, String> {
     let capability = |robot: &str, limits: &str| -> Result<PathBuf, String> {
         let out = made(&folder.join(format!("capability-{robot}")))?;

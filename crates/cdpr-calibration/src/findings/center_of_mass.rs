@@ -1,6 +1,6 @@
 //! Statics as a witness: where the load hangs on the platform, by recorded tensions, or by poses that only gravity holds.
 
-use nalgebra::{DMatrix, DVector, Matrix3, SymmetricEigen, Vector3};
+use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::examined::Examined;
 use super::load::{LEAST_OF_TENSIONS, stated_weight};
@@ -9,6 +9,7 @@ use cdpr_model::finding::{Finding, FindingKind, Severity};
 use cdpr_model::geometry::{Pose, Wrench};
 use cdpr_model::measurement::{Samples, three_digits};
 use cdpr_model::model::Model;
+use cdpr_model::scalar::decomposition::{left_null_space, symmetric_eigen};
 use cdpr_model::statics::{Load, balanced_wrench};
 
 /// Distances in radii of the platform anchors from which on the center of mass is another one, and from which on that is worth a word.
@@ -17,12 +18,14 @@ const WORTH_A_WORD: f64 = 0.05;
 /// Standard errors by which it has to be off, and the least share of the squared moments that it has to explain.
 const SURE: f64 = 6.0;
 const LEAST_EXPLAINED: f64 = 0.5;
-/// Share of the largest information below which a direction of the platform is not told: platforms that hardly turn do not show how high the center lies.
+/// Share of the largest information below which a direction of the platform is not determined, e.g. the height of the center where the platform hardly turns.
 const OPEN: f64 = 1e-4;
+/// Share of the largest singular value of the structure matrix from which on cables act in a direction.
+const OPEN_STRUCTURE: f64 = 1e-5;
 /// Most samples that are asked; of more, so many are taken evenly.
 const MOST: usize = 400;
 
-/// A center of mass that is not the file's; `None` where the data do not show it, or it is where the file says.
+/// A center of mass that is not the file's; `None` if the data do not determine it, or agree with the file.
 pub(super) fn finding(examined: &Examined<'_>) -> Option<Finding> {
     let given = examined.given;
     let is_assumed = given.assumptions.iter().any(|assumption| assumption.plain_key() == "center_of_mass_m");
@@ -96,7 +99,11 @@ impl Moments {
                 }
                 None => {
                     let structure = model.structure_matrix(pose).ok()?;
-                    (wanted, wanted.fixed_rows::<3>(0).into_owned(), left_open(&structure)? * &basis)
+                    (
+                        wanted,
+                        wanted.fixed_rows::<3>(0).into_owned(),
+                        left_null_space(&structure, OPEN_STRUCTURE) * &basis,
+                    )
                 }
             };
             left.extend((&seen * missing).iter());
@@ -112,11 +119,10 @@ impl Moments {
         (rows > 20).then(|| Self { left: DVector::from_vec(left), by_center: stacked })
     }
 
-    /// Least squares in the directions that the data tell; `None` where they tell none.
+    /// Least squares in the directions that the data determine; `None` if they determine none.
     fn offset(&self) -> Option<Offset> {
-        let information: Matrix3<f64> = self.by_center.tr_mul(&self.by_center).fixed_view::<3, 3>(0, 0).into_owned();
         let right = self.by_center.tr_mul(&self.left);
-        let found = SymmetricEigen::new(information);
+        let found = symmetric_eigen(self.by_center.tr_mul(&self.by_center))?;
         let largest = found.eigenvalues.max();
         let (mut vector, mut inverse) = (Vector3::zeros(), 0.0);
         for (value, direction) in found.eigenvalues.iter().zip(found.eigenvectors.column_iter()) {
@@ -133,7 +139,7 @@ impl Moments {
     }
 }
 
-/// True where errors of load cells tell more than the load.
+/// True if the load is small beside the tensions, so that errors of load cells would count for a load.
 fn is_drowned(samples: &Samples, force: f64) -> bool {
     let Some(tensions) = &samples.tensions else { return false };
     let sum: f64 = tensions.iter().map(|tension| tension.abs()).sum();
@@ -149,12 +155,4 @@ fn by_axes(pose: &Pose, force: &Vector3<f64>) -> DMatrix<f64> {
         columns.column_mut(axis).copy_from(&wrench);
     }
     columns
-}
-
-/// Directions, as rows, in which no cable can act; `None` where there are none.
-fn left_open(structure: &DMatrix<f64>) -> Option<DMatrix<f64>> {
-    let found = SymmetricEigen::new(structure * structure.transpose());
-    let largest = found.eigenvalues.max();
-    let open: Vec<usize> = (0..structure.nrows()).filter(|&place| found.eigenvalues[place] < 1e-12 * largest).collect();
-    (!open.is_empty()).then(|| found.eigenvectors.select_columns(&open).transpose())
 }

@@ -4,12 +4,12 @@ mod cause;
 mod center_of_mass;
 mod examined;
 mod load;
+mod noise;
 mod numbers;
-mod order;
 mod reach;
 mod residual_table;
 mod scan;
-mod stated_noise;
+mod sentence;
 
 pub use examined::Examined;
 pub use numbers::UNIT_FACTORS;
@@ -34,12 +34,12 @@ pub fn findings(examined: &Examined<'_>) -> Vec<Finding> {
     }
     // a cause that is named explains that residuals are too large
     if found.is_empty() {
-        found.extend(stated_noise::finding(examined));
+        found.extend(noise::lack_of_fit(examined));
     }
     found.extend(reach::finding(examined));
-    // so it does that they repeat each other
+    // the same cause explains that residuals repeat each other
     if found.iter().all(|finding| finding.explains.is_none()) {
-        found.extend(order::finding(examined));
+        found.extend(noise::repeated_rows(examined));
     }
     found
 }

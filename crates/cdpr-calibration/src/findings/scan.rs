@@ -1,14 +1,13 @@
 //! One search of the residuals by cable, time and place, and the explanation that beats the others.
 
-use nalgebra::{DVector, Matrix6, Vector6};
+use nalgebra::{DMatrix, DVector};
 
 use super::cause::{Cause, Explained, Explanation, Spread};
 use super::examined::Examined;
 use super::residual_table::{CableResiduals, ResidualTable};
 use crate::autocorrelation::correlation_time;
-use crate::screening::place;
-use cdpr_model::finding::{Finding, Severity};
-use cdpr_model::measurement::three_digits;
+use cdpr_model::finding::Finding;
+use cdpr_model::scalar::decomposition::symmetric_eigen;
 
 /// Least score of an explanation in an answer: the logarithm of its likelihood ratio less the price of its parameters and of the places tried.
 const SURE: f64 = 15.0;
@@ -18,8 +17,6 @@ const CLEARLY: f64 = 6.0;
 const LEAST_EXPLAINED: f64 = 0.5;
 /// Root mean square residual of a cable beside the others from which on its sensor is suspicious.
 const LOUDER: f64 = 3.0;
-/// Size of an explained part beside the noise that is left from which on the answer is not to be trusted.
-const GROSS: f64 = 5.0;
 /// Fewest rows on either side of a step, and most places at which one is tried before it is refined.
 const LEAST_SIDE: usize = 6;
 const PLACES: usize = 100;
@@ -34,9 +31,10 @@ pub(super) fn finding(examined: &Examined<'_>) -> Option<Finding> {
     Search { examined, table: ResidualTable::of(examined)? }.finding()
 }
 
-struct Search<'a> {
-    examined: &'a Examined<'a>,
-    table: ResidualTable,
+/// Search of the residuals of the richest fit.
+pub(super) struct Search<'a> {
+    pub(super) examined: &'a Examined<'a>,
+    pub(super) table: ResidualTable,
 }
 
 impl Search<'_> {
@@ -57,92 +55,6 @@ impl Search<'_> {
         let rivals: Vec<&Explanation> =
             all[1..].iter().filter(|other| other.score > best.score - CLEARLY && is_other(other)).collect();
         Some(self.told(&best, &rivals))
-    }
-
-    fn told(&self, best: &Explanation, rivals: &[&Explanation]) -> Finding {
-        let explained = format!(" (explains {:.0} %)", 100.0 * best.explained);
-        let text = match rivals.first() {
-            None => format!("{}{explained}{}{}", self.words(best), best.cause.question(), self.remedy(best)),
-            Some(_) => {
-                let others: Vec<String> = rivals.iter().take(2).map(|other| self.words(other)).collect();
-                format!("one of these explains the residuals{explained}: {}; {}", self.words(best), others.join("; "))
-            }
-        };
-        let size = if best.cause.unit() == "m" { best.size.abs().max(best.part) } else { best.part };
-        let is_gross = size > GROSS * best.left;
-        let (severity, text) = match is_gross {
-            true => (Severity::Distrust, format!("not to be trusted: {text}")),
-            false => (Severity::Caution, text),
-        };
-        let mut finding = Finding::new(best.cause.kind(self.is_redundant()), severity, text)
-            .of_size(best.size, best.cause.unit())
-            .explaining(best.explained);
-        if let Some(cable) = best.cable {
-            finding = finding.of_cable(cable);
-        }
-        match best.first.and_then(|first| self.line(first)) {
-            Some(line) => finding.at_line(line),
-            None => finding,
-        }
-    }
-
-    /// Name of what can be freed to take an explanation up, behind its question.
-    fn remedy(&self, one: &Explanation) -> String {
-        let cable = one.cable.map_or_else(String::new, |cable| format!("[{}]", cable + 1));
-        let line = one.first.and_then(|first| self.line(first));
-        match (one.cause, line) {
-            (Cause::Step | Cause::Offsets, Some(line)) => format!(" `length-offset{cable}@{line}` free takes it up"),
-            (Cause::Drift | Cause::Drifts, _) => format!(" `length-drift{cable}` free takes it up"),
-            _ => String::new(),
-        }
-    }
-
-    fn is_redundant(&self) -> bool {
-        let robot = self.examined.given;
-        robot.cables.len() > robot.motion_pattern.dof()
-    }
-
-    fn line(&self, first: usize) -> Option<usize> {
-        Some(self.examined.samples.lines.as_ref()?[self.table.rows[first]])
-    }
-
-    fn words(&self, one: &Explanation) -> String {
-        let cable = one.cable.map_or_else(|| "all cables".to_owned(), |cable| format!("cable {}", cable + 1));
-        let from = one.first.map_or_else(String::new, |first| place(self.examined.samples, self.table.rows[first]));
-        let mm = 1e3 * one.size;
-        match one.cause {
-            Cause::Step => format!("{cable}: {mm:+.1} mm from {from} on"),
-            Cause::Offsets => format!("{cable}: a constant each, {mm:.1} mm rms, from {from} on"),
-            Cause::HeldOut => format!("{cable}: a constant each, {mm:.1} mm rms, in the validation data"),
-            Cause::Tracker => format!("the poses move by {mm:.1} mm (rms along the cables) from {from} on"),
-            Cause::Drift | Cause::Drifts => {
-                let all = one.size * self.duration();
-                format!("{cable}: the lengths drift, by {:+.1} mm over the record", 1e3 * all)
-            }
-            Cause::Backlash | Cause::Backlashes => {
-                format!("{cable}: lengths differ by {:.1} mm with the direction of travel", (2.0 * mm).abs())
-            }
-            Cause::DeadBand => {
-                format!("{cable}: lengths stay behind by {:.1} mm after every reversal", (2.0 * mm).abs())
-            }
-            Cause::Clock => format!(
-                "poses are recorded {:.0} ms {}",
-                1e3 * one.size.abs(),
-                if one.size > 0.0 { "late" } else { "early" }
-            ),
-            Cause::Loud => {
-                let rest = self.rms_of_others(one.cable);
-                format!("{cable}: residuals of {mm:.1} mm rms, {} mm for the others", three_digits(1e3 * rest))
-            }
-        }
-    }
-
-    fn rms_of_others(&self, cable: Option<usize>) -> f64 {
-        let others =
-            || self.table.cables.iter().enumerate().filter(|(other, _)| Some(*other) != cable).map(|(_, own)| own);
-        let (squares, freedom) =
-            others().fold((0.0, 0.0), |(squares, freedom), own| (squares + own.squares, freedom + own.freedom));
-        (squares / f64::max(freedom, 1.0)).sqrt()
     }
 
     fn explanations(&self) -> Vec<Explanation> {
@@ -170,7 +82,7 @@ impl Search<'_> {
         DVector::from_iterator(self.table.rows.len(), self.table.rows.iter().map(at))
     }
 
-    fn duration(&self) -> f64 {
+    pub(super) fn duration(&self) -> f64 {
         let clock = self.clock();
         clock.max() - clock.min()
     }
@@ -293,7 +205,7 @@ impl Search<'_> {
     /// A motion of the tracker's frame from a row on explains all cables.
     fn tracker(&self, first: usize, tried: f64) -> Option<Explanation> {
         let rows = self.table.rows.len();
-        let (mut normal, mut right) = (Matrix6::<f64>::zeros(), Vector6::<f64>::zeros());
+        let (mut normal, mut right) = (DMatrix::zeros(6, 6), DVector::zeros(6));
         for own in &self.table.cables {
             let parts: Vec<DVector<f64>> = (0..6)
                 .map(|component| {
@@ -313,7 +225,7 @@ impl Search<'_> {
             }
         }
         let scale = normal.trace() / 6.0;
-        let decomposition = nalgebra::SymmetricEigen::new(normal);
+        let decomposition = symmetric_eigen(normal)?;
         let (mut gain, mut parameters) = (0.0, 0.0);
         for (place, value) in decomposition.eigenvalues.iter().enumerate() {
             if *value > 1e-6 * scale {

@@ -51,7 +51,7 @@ pub(crate) fn check_motor_angles(parameters: &[Parameter], samples: &Samples) ->
     Ok(())
 }
 
-/// Refuses zeros of swivels, which lengths say nothing of.
+/// Refuses zeros of swivels, which do not change lengths.
 fn check_swivels(parameters: &[Parameter]) -> Result<(), InputError> {
     let is_free = parameters.iter().any(|parameter| parameter.kind.needs_swivels());
     if is_free { Err(InputError::NoSwivelAngles) } else { Ok(()) }

@@ -276,7 +276,7 @@ pub enum InputError {
         /// The parameter of the recording.
         name: &'static str,
     },
-    /// A change of recorded lengths of which the samples tell nothing.
+    /// A change of recorded lengths that the samples do not determine.
     #[error(
         "`{name}` is free, but the samples do not tell it: it takes rows of the fit before and after, and lengths or poses that do not change with it alike"
     )]

@@ -73,7 +73,7 @@ pub(crate) fn report(
     let recorded = calibrated.with_lengths(samples)?;
     let outliers = outliers::named(&norms, samples, |sample| length_errors(&calibrated, &recorded, sample));
     let loss = norms.loss.map_or(Loss::Squared, |loss| loss.tail.loss());
-    let mut all_warnings = analysis.warnings.clone();
+    let mut all_warnings: Vec<String> = analysis.repeated_rows.iter().cloned().collect();
     all_warnings.extend(suspicious);
     all_warnings.extend(remarks.of_noise);
     all_warnings.extend(warnings::of_bounds(&estimates));

@@ -1,7 +1,7 @@
 //! Changes of recorded lengths inside a record: steps from a line on and drifts, found around fits.
 //!
-//! A fit takes lengths as they would be recorded at the end of the record. How its residuals change with a shift tells the next step of Gauss and Newton, of
-//! shifts and parameters together; the parameters' own part of it is what the next fit finds.
+//! Lengths are fitted as the winches would record them at the end of the record. A step of Gauss and Newton over shifts and parameters together then
+//! corrects the shifts, and the next fit the parameters, until no shift moves by more than 1e-4 of its deviation.
 
 mod estimate;
 #[cfg(test)]
@@ -20,13 +20,16 @@ use crate::stopping::{StoppedBy, StoppingRule};
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::{FreeParameters, LengthShift};
 use cdpr_model::robot::{Parameter, ParameterKind};
+use cdpr_model::scalar::decomposition::pseudo_inverse;
 
 /// Fits at most, and the part of a deviation that a shift still moves where it has settled.
 const ROUNDS: u32 = 30;
 const SETTLED: f64 = 1e-4;
 /// Steps below this are rounding (m).
 const ROUNDING: f64 = 1e-12;
-/// Share of a direction's information below which the parameters can make it up.
+/// Share of the largest eigenvalue below which a combination of parameters is not determined.
+const DEPENDENT: f64 = 1e-10;
+/// Share of a shift's information below which a change of the parameters has the same effect.
 const OPEN: f64 = 1e-12;
 
 /// Fit of parameters to samples without shifts.
@@ -42,35 +45,43 @@ pub(super) fn fit(
 ) -> Result<Fit, InputError> {
     let mut estimates = starts(samples, shifts)?;
     let free = free.without_length_shifts();
-    for round in 1..=ROUNDS {
+    let mut rounds = 0;
+    loop {
+        rounds += 1;
         let after = undone(samples, &estimates);
         let mut fit = plain(&after, &free)?;
         let step = Step::of(&fit, &after, &estimates, settings)?;
-        let noise = fit.analysis.inflation;
-        let sigma = |place: usize| noise * step.covariance[(place, place)].max(0.0).sqrt();
-        let is_settled = |place: usize| step.change[place].abs() <= (SETTLED * sigma(place)).max(ROUNDING);
-        let has_settled = (0..estimates.len()).all(is_settled);
-        if has_settled || round == ROUNDS {
-            for (place, estimate) in estimates.iter_mut().enumerate() {
-                estimate.sigma = sigma(place);
-                estimate.offset_after = fit.model.robot().cables[estimate.shift.cable].length_offset.unwrap_or(0.0);
-            }
-            step.widen(&mut fit);
-            if !has_settled && fit.status == Status::Converged {
-                let rounds = f64::from(ROUNDS);
-                fit.status = Status::NotConverged;
-                fit.stopped_by = StoppedBy { rule: StoppingRule::IterationLimit, value: rounds, limit: rounds };
-                fit.reason = format!("changes of recorded lengths did not settle in {ROUNDS} fits; {}", fit.reason);
-            }
-            fit.shifts = estimates;
-            return Ok(fit);
+        let sigmas = step.sigmas(fit.analysis.inflation);
+        let is_settled = |(change, sigma): (&f64, &f64)| change.abs() <= (SETTLED * sigma).max(ROUNDING);
+        let has_settled = step.change.iter().zip(&sigmas).all(is_settled);
+        if !has_settled && rounds < ROUNDS {
+            estimates.iter_mut().zip(step.change.iter()).for_each(|(estimate, change)| estimate.change += change);
+            continue;
         }
-        estimates.iter_mut().zip(step.change.iter()).for_each(|(estimate, change)| estimate.change += change);
+        for (estimate, sigma) in estimates.iter_mut().zip(sigmas) {
+            let cable = &fit.model.robot().cables[estimate.shift.cable];
+            (estimate.sigma, estimate.offset_after) = (sigma, cable.length_offset.unwrap_or(0.0));
+        }
+        step.widen(&mut fit);
+        if !has_settled {
+            tell_unsettled(&mut fit);
+        }
+        fit.shifts = estimates;
+        return Ok(fit);
     }
-    Err(InputError::NotFinite)
 }
 
-/// Shifts of nothing, where the samples can tell their size.
+/// Takes the optimum back, where shifts still move.
+fn tell_unsettled(fit: &mut Fit) {
+    if fit.status == Status::Converged {
+        let rounds = f64::from(ROUNDS);
+        fit.status = Status::NotConverged;
+        fit.stopped_by = StoppedBy { rule: StoppingRule::IterationLimit, value: rounds, limit: rounds };
+        fit.reason = format!("changes of recorded lengths did not settle in {ROUNDS} fits; {}", fit.reason);
+    }
+}
+
+/// Shifts of size zero to begin with; an error where all samples of the record lie on one side of a shift.
 fn starts(samples: &Samples, shifts: &[LengthShift]) -> Result<Vec<ShiftEstimate>, InputError> {
     let is_timed = samples.time.is_some();
     let own: Vec<f64> = clock(samples, is_timed)
@@ -126,7 +137,7 @@ impl Step {
         let pulls = fit.parameters.iter().zip(&priors).map(|(own, weight)| weight * own.change);
         // a fit ends a little before its optimum
         let of_rest = of_base.tr_mul(&rows.residuals) + DVector::from_iterator(base.len(), pulls);
-        let inverse = pseudo_inverse(of_base.tr_mul(&of_base) + DMatrix::from_diagonal(&DVector::from_vec(priors)));
+        let inverse = scaled_inverse(&(of_base.tr_mul(&of_base) + DMatrix::from_diagonal(&DVector::from_vec(priors))));
         let mixed = of_base.tr_mul(&own);
         let following = -&inverse * &mixed;
         let own_part = own.tr_mul(&own) + mixed.tr_mul(&following);
@@ -139,6 +150,11 @@ impl Step {
         }
         let covariance = own_part.cholesky().ok_or_else(|| name(0))?.inverse();
         Ok(Self { change: -&covariance * gradient, covariance, following })
+    }
+
+    /// Standard deviations of the shifts at a factor of the rows' noise (m).
+    fn sigmas(&self, noise: f64) -> Vec<f64> {
+        self.covariance.diagonal().iter().map(|variance| noise * variance.max(0.0).sqrt()).collect()
     }
 
     /// Widens the deviations of a fit's parameters by what they follow the shifts.
@@ -170,17 +186,11 @@ fn with_offsets(base: &[Parameter], shifts: &[ShiftEstimate]) -> Vec<Parameter> 
     all
 }
 
-/// Inverse in the directions that are told, with rows and columns scaled to a diagonal of ones.
-fn pseudo_inverse(matrix: DMatrix<f64>) -> DMatrix<f64> {
+/// Inverse in the directions that the rows determine, with rows and columns scaled to a diagonal of ones.
+fn scaled_inverse(matrix: &DMatrix<f64>) -> DMatrix<f64> {
     let scale = matrix.diagonal().map(|entry| if entry > 0.0 { entry.sqrt().recip() } else { 0.0 });
-    let scaled = DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, j| scale[i] * matrix[(i, j)] * scale[j]);
-    let decomposition = nalgebra::SymmetricEigen::new(scaled);
-    let mut inverse = DMatrix::zeros(matrix.nrows(), matrix.ncols());
-    for (value, vector) in decomposition.eigenvalues.iter().zip(decomposition.eigenvectors.column_iter()) {
-        if *value > 1e-10 {
-            let own = vector.component_mul(&scale);
-            inverse.ger(value.recip(), &own, &own, 1.0);
-        }
-    }
-    inverse
+    let scaled = |matrix: &DMatrix<f64>| {
+        DMatrix::from_fn(matrix.nrows(), matrix.ncols(), |i, j| scale[i] * matrix[(i, j)] * scale[j])
+    };
+    scaled(&pseudo_inverse(&scaled(matrix), DEPENDENT))
 }

@@ -123,7 +123,8 @@ fn few_blocks_are_told_and_the_linear_deviations_hold_better() {
     assert!(warnings.iter().all(|words| is_right(words) && !words.contains("take those")), "{warnings:?}");
 }
 
-/// Scales that are told by the noisy poses alone, of 320 numbers: the linear deviations hold half, those of the bootstrap nine of ten, and they are advised.
+/// Scales that depend on the noisy poses alone: of 320 numbers the linear deviations hold half, those of the bootstrap nine of ten, and the warning advises
+/// the bootstrap.
 #[test]
 fn noise_that_sits_at_some_poses_is_told_and_the_bootstrap_holds_better() {
     let far = Situation { rows: 150, free: "length-offset,length-scale", correlation: 0.0, has_far_poses: true };

@@ -61,7 +61,7 @@ impl Forces {
 }
 
 /// Rows of a model's samples: of lengths alone, or of all sensors; tensions count where the load is known or free, of rigid models where these are `asked` or there are no more cables
-/// than degrees of freedom. Fewer cables than degrees of freedom hang as their load says, whose tensions are unknowns where none are recorded.
+/// than degrees of freedom. Of fewer cables than degrees of freedom under a known load, tensions are unknowns in equilibrium if none are recorded but swivels or parts of poses are.
 ///
 /// More cables pull against each other, and stretch by what the model lacks: calibrated lengths have anchors that make up for it, equilibrium has the true ones.
 pub(super) fn sensing(model: &Model, internal: &InternalSamples, asked: Forces) -> Sensing {

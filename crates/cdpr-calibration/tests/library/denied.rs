@@ -142,7 +142,7 @@ fn hanging(off: f64, seed: u64) -> (Model, Samples) {
     (file, samples)
 }
 
-/// Load cells see where the load hangs: to 20 mm, and nothing where it hangs as the file says.
+/// A center of mass 200 mm off the file's is found to 20 mm by load cells; one at the file's place raises no finding.
 #[test]
 fn a_center_of_mass_that_load_cells_deny_is_named() {
     for (seed, off) in [(1, 0.0), (2, 0.0), (3, 0.2), (4, -0.2)] {

@@ -67,7 +67,7 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "SHARE", value_parser = finite_number, allow_hyphen_values = true, default_value_t = Settings::default().gap)]
     gap: f64,
 
-    /// Poses that may be judged; the gap that is left is told.
+    /// Poses that may be judged; the answer states the gap that is left.
     #[arg(long, value_name = "N", default_value_t = Settings::default().poses)]
     poses: u64,
 

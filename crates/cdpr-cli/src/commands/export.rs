@@ -9,7 +9,7 @@ use crate::answer::Output;
 use crate::compensation_option::CompensationOption;
 use crate::failure::Failure;
 use crate::files;
-use crate::hanging::Elsewhere;
+use crate::hanging::NotAtRest;
 use crate::inputs::read_robot;
 use cdpr_model::control::Control;
 use cdpr_model::geometry::Pose;
@@ -129,16 +129,15 @@ fn lengths(arguments: &Arguments, output: &mut Output) -> Result<ExitCode, Failu
 
 /// Poses that the load of a hanging platform does not allow, in words; `None` without any.
 fn not_resting(model: &Model, poses: &[Pose]) -> Option<String> {
-    let own: Vec<(usize, Elsewhere)> =
-        poses.iter().enumerate().filter_map(|(place, pose)| Some((place, Elsewhere::of(model, pose)?))).collect();
-    let (worst, elsewhere) = own.iter().max_by(|a, b| a.1.distance.total_cmp(&b.1.distance))?;
+    let doubts = poses.iter().map(|pose| NotAtRest::of(model, pose)).enumerate();
+    let own: Vec<(usize, NotAtRest)> = doubts.filter_map(|(place, doubt)| Some((place, doubt?))).collect();
+    let (worst, doubt) = own.iter().max_by(|a, b| a.1.distance().total_cmp(&b.1.distance()))?;
     Some(format!(
-        "the load does not let the platform rest at {} of {} poses: with the lengths of pose {} it comes to rest at {}; `cdpr ik ROBOT --position` tells the rest of a \
-         pose by the load",
+        "the load does not let the platform rest at {} of {} poses; at pose {}: {}; `cdpr ik ROBOT --position` tells the rest of a pose by the load",
         own.len(),
         poses.len(),
         worst + 1,
-        elsewhere.words(model.robot())
+        doubt.words(model.robot())
     ))
 }
 

@@ -10,7 +10,7 @@ use clap::Args;
 use crate::answer::{Answer, Output};
 use crate::compensation_option::CompensationOption;
 use crate::failure::Failure;
-use crate::hanging::{Elsewhere, hanging_at, position_of};
+use crate::hanging::{NotAtRest, hanging_at, position_of};
 use crate::inputs::{ModelArguments, pose_of, wrench_of};
 use crate::numbers::NumberList;
 use crate::statics_failure::{has_no_path, refused};
@@ -43,8 +43,8 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "POSE", allow_hyphen_values = true, required_unless_present = "position")]
     pose: Option<NumberList>,
 
-    /// Position alone, of a platform with fewer cables than degrees of freedom (m): x,y | x,y,z; the load decides the rest of the pose. All poses at
-    /// which it hangs there are told, stable ones first.
+    /// Position alone, of a platform with fewer cables than degrees of freedom (m): x,y | x,y,z; the load decides the rest of the pose. Lists all
+    /// poses at which it hangs there, stable ones first.
     #[arg(long, value_name = "POSITION", allow_hyphen_values = true, conflicts_with_all = ["pose", "tensions"])]
     position: Option<NumberList>,
 
@@ -72,13 +72,17 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     check_forces(&model, &arguments)?;
     let (pose, hanging) = match (&arguments.pose, &arguments.position) {
         (Some(pose), _) => (pose_of(model.robot(), "--pose", pose)?, None),
-        (None, position) => {
-            let at = position_of(model.robot(), "--position", position.as_ref().unwrap_or(&NumberList::default()))?;
+        (None, Some(position)) => {
+            let at = position_of(model.robot(), "--position", position)?;
             let hanging = hanging_at(&model, &at, arguments.wrench.as_ref())?;
             match hanging.found.first() {
                 Some(first) => (first.pose, Some(hanging)),
                 None => return output.answer(&NoHangingAnswer::new(&model, &at, &hanging)),
             }
+        }
+        (None, None) => {
+            let help = "give --pose, or --position of a platform that hangs";
+            return Err(Failure::input("usage::missing-argument", "neither pose nor position is given", help));
         }
     };
     let map = arguments.compensation.read(&model)?;
@@ -111,10 +115,10 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
             model.composition()
         ));
     }
-    if let Some(elsewhere) = Elsewhere::of(&model, &pose).filter(|_| hanging.is_none() && arguments.wrench.is_none()) {
+    if let Some(doubt) = NotAtRest::of(&model, &pose).filter(|_| hanging.is_none() && arguments.wrench.is_none()) {
         answer = answer.with_warning(format!(
-            "the load does not let the platform rest at this pose: with these lengths it comes to rest at {}; `--position` tells the rest of a pose by the load",
-            elsewhere.words(model.robot())
+            "the load does not let the platform rest at this pose: {}; `--position` tells the rest of a pose by the load",
+            doubt.words(model.robot())
         ));
     }
     if let Some((map, _)) = map {

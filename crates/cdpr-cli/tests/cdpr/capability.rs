@@ -73,7 +73,7 @@ fn a_box_in_which_the_load_is_not_held_is_infeasible() {
     assert!(std::fs::read_to_string(folder.join("page.html")).unwrap().contains("the own load is not held here"));
 }
 
-/// What a file does not tell is null with the reason; few poses leave a wide gap, which is told; mistakes name their option.
+/// Null with a reason for what a file does not state, a warning with the gap for too few poses, and errors with the option's name.
 #[test]
 fn what_is_unknown_is_told() {
     let run = cdpr("capability planar-example --box=-1,1,3,5 --format json");

@@ -195,7 +195,7 @@ fn answers_that_data_and_statics_deny_say_so() {
     }
 }
 
-/// A step that is told can be freed: what was not to be trusted converges, to the size that the generator gave it.
+/// Frees the step that a finding names: the fit converges, to the size that the generator gave the step.
 #[test]
 fn a_step_is_taken_up_by_the_offset_that_its_finding_names() {
     let Some(folder) = case("10-cable-reclamped") else { return };
@@ -232,7 +232,7 @@ fn a_step_is_taken_up_by_the_offset_that_its_finding_names() {
     assert_eq!(answer["length_shifts"].as_array().unwrap().len(), 1);
 }
 
-/// Lengths fit wherever the load hangs; poses that only gravity holds say that it hangs elsewhere.
+/// A wrong center of mass leaves lengths as they are; poses of a hanging platform show it.
 #[test]
 fn a_center_of_mass_that_is_elsewhere_is_named() {
     let Some(folder) = case("23-underconstrained-clean-false-alarm") else { return };

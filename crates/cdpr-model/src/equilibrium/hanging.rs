@@ -7,7 +7,9 @@
 #[cfg(test)]
 mod tests;
 
-use nalgebra::{DMatrix, DVector, UnitQuaternion, Vector3};
+use std::f64::consts::TAU;
+
+use nalgebra::{DMatrix, DVector, Quaternion, UnitQuaternion, Vector3};
 use rand::{RngExt, SeedableRng};
 use rand_chacha::ChaCha8Rng;
 use thiserror::Error;
@@ -15,7 +17,7 @@ use thiserror::Error;
 use crate::cable::GeometryError;
 use crate::geometry::{Pose, Twist};
 use crate::model::{Model, SpanEffect};
-use crate::scalar::decomposition::{svd, symmetric_eigen};
+use crate::scalar::decomposition::{left_null_space, pseudo_inverse, smallest_eigenvalue};
 use crate::statics::{Load, Stability, StaticsError, geometric_stiffness};
 
 /// Steps of one search, its longest turn, and the turn (rad) with the imbalance beside the load at which it ends.
@@ -37,6 +39,8 @@ const CHEAP: f64 = 1e3;
 const SLOWER: f64 = 0.9;
 /// Singular values beside the largest that are none.
 const NONE: f64 = 1e-10;
+/// Share of the largest singular value of the structure matrix from which on cables act in a direction.
+const RANK: f64 = 1e-5;
 /// Imbalance beside the load up to which a pose is in equilibrium.
 const IN_EQUILIBRIUM: f64 = 1e-6;
 /// Stiffness beside the load over the mean length that is none.
@@ -120,16 +124,32 @@ pub fn hanging_poses(model: &Model, load: &Load, near: &Pose) -> Result<HangingP
     Ok(all)
 }
 
-/// Part of the load that no tensions balance at a pose, as a share of its force, moments divided by the platform radius; `None` where cables fix the pose, or the load balances.
+/// A rotation, uniform over all (Shoemake 1992).
+fn any_rotation(random: &mut ChaCha8Rng) -> UnitQuaternion<f64> {
+    let [share, first, second] = [(); 3].map(|()| random.random_range(0.0_f64..1.0));
+    let (a, b) = ((1.0 - share).sqrt(), share.sqrt());
+    let (first, second) = (TAU * first, TAU * second);
+    let numbers = Quaternion::new(b * second.cos(), a * first.sin(), a * first.cos(), b * second.sin());
+    UnitQuaternion::from_quaternion(numbers)
+}
+
+/// Part of the load that cables which pull leave at a pose, as a share of its force, moments divided by the platform radius; `None` where cables fix the pose, or balance
+/// the load.
 pub fn unbalanced_share(model: &Model, load: &Load, pose: &Pose) -> Result<Option<f64>, HangingError> {
-    let search = match Search::of(model, load) {
+    let mut search = match Search::of(model, load) {
         Err(HangingError::Fixed { .. } | HangingError::NoForce) => return Ok(None),
         Err(HangingError::TooFew { .. }) => Search::new(model, load),
         other => other?,
     };
-    let (_, imbalance) = search.balance(pose)?;
-    let share = imbalance.norm() / search.force;
-    Ok((share > IN_EQUILIBRIUM).then_some(share))
+    loop {
+        let (tensions, imbalance) = search.balance(pose)?;
+        let pushing = (0..tensions.len()).filter(|&place| tensions[place] < -search.slack());
+        let Some(worst) = pushing.min_by(|&a, &b| tensions[a].total_cmp(&tensions[b])) else {
+            let share = imbalance.norm() / search.force;
+            return Ok((share > IN_EQUILIBRIUM).then_some(share));
+        };
+        search.pulling.remove(worst);
+    }
 }
 
 /// Model and load with their sizes.
@@ -218,29 +238,21 @@ impl<'a> Search<'a> {
 
     /// Orientations from which poses are sought: the one asked for, then spread over all.
     fn starts(&self, near: &Pose) -> Vec<Pose> {
-        let turns: Vec<Vector3<f64>> = self.turns().map(|twist| twist.fixed_rows::<3>(3).into_owned()).collect();
-        let mut random = ChaCha8Rng::seed_from_u64(0);
-        let spread = |place: u32| match turns[..] {
-            [axis] => UnitQuaternion::from_scaled_axis(
-                axis * (std::f64::consts::TAU * f64::from(place) / f64::from(STARTS_IN_PLANE)),
-            ),
-            _ => UnitQuaternion::identity(),
+        let axes: Vec<Vector3<f64>> = self.turns().map(|twist| twist.fixed_rows::<3>(3).into_owned()).collect();
+        let rotations: Vec<UnitQuaternion<f64>> = match axes[..] {
+            [axis] => {
+                let step = TAU / f64::from(STARTS_IN_PLANE);
+                (1..STARTS_IN_PLANE)
+                    .map(|place| UnitQuaternion::from_scaled_axis(axis * (step * f64::from(place))))
+                    .collect()
+            }
+            _ => {
+                let mut random = ChaCha8Rng::seed_from_u64(0);
+                (0..STARTS_IN_SPACE).map(|_| any_rotation(&mut random)).collect()
+            }
         };
-        let mut starts = vec![*near];
-        if turns.len() == 1 {
-            let at = |place| Pose { rotation: spread(place) * near.rotation, ..*near };
-            starts.extend((1..STARTS_IN_PLANE).map(at));
-            return starts;
-        }
-        for _ in 0..STARTS_IN_SPACE {
-            // uniform over all rotations (Shoemake 1992)
-            let [u, v, w] = [(); 3].map(|()| random.random_range(0.0..1.0));
-            let (a, b): (f64, f64) = (f64::sqrt(1.0 - u), f64::sqrt(u));
-            let (v, w) = (std::f64::consts::TAU * v, std::f64::consts::TAU * w);
-            let numbers = nalgebra::Quaternion::new(b * w.cos(), a * v.sin(), a * v.cos(), b * w.sin());
-            starts.push(Pose { rotation: UnitQuaternion::from_quaternion(numbers), ..*near });
-        }
-        starts
+        let turned = rotations.into_iter().map(|rotation| Pose { rotation: rotation * near.rotation, ..*near });
+        std::iter::once(*near).chain(turned).collect()
     }
 
     fn turns(&self) -> impl Iterator<Item = &Twist> {
@@ -251,7 +263,7 @@ impl<'a> Search<'a> {
     fn balance(&self, pose: &Pose) -> Result<(DVector<f64>, DVector<f64>), HangingError> {
         let structure = self.structure(pose)?;
         let load = self.load.in_pattern(self.model, pose).component_mul(&self.scaling);
-        let tensions = -inverted(&structure) * &load;
+        let tensions = -pseudo_inverse(&structure, NONE) * &load;
         let left = &structure * &tensions + load;
         Ok((tensions, left))
     }
@@ -296,7 +308,7 @@ impl<'a> Search<'a> {
             let mut jacobian = DMatrix::zeros(self.model.dof(), turns + tensions.len());
             jacobian.columns_mut(0, turns).copy_from(&(turning.columns(self.translations, turns) * radius));
             jacobian.columns_mut(turns, tensions.len()).copy_from(&(&structure * (CHEAP * self.force)));
-            let inverse = inverted(&jacobian);
+            let inverse = pseudo_inverse(&jacobian, NONE);
             let mut step = -&inverse * &left;
             if is_family {
                 // along the family, towards the orientation asked for
@@ -343,30 +355,11 @@ impl<'a> Search<'a> {
         let structure = self.structure_of_all(&pose)?;
         let stiffness = -self.turning(&pose, &tensions)?;
         let symmetric = (&stiffness + stiffness.transpose()) * 0.5;
-        let least = open_directions(&structure)
-            .map(|open| &open * symmetric * open.transpose())
-            .and_then(symmetric_eigen)
-            .map_or(f64::NAN, |found| found.eigenvalues.min());
+        let open = left_null_space(&structure, RANK);
+        let least = smallest_eigenvalue(&open * symmetric * open.transpose());
         let lengths = self.model.cable_lengths(&pose)?;
         let mean = lengths.iter().sum::<f64>() / lengths.len() as f64;
         let stability = Stability::of(least, INDIFFERENT * self.force / mean);
         Ok(Hanging { pose, tensions, stability, stiffness: least })
     }
-}
-
-/// Pseudo-inverse.
-fn inverted(matrix: &DMatrix<f64>) -> DMatrix<f64> {
-    let (rows, columns) = matrix.shape();
-    let nothing = || DMatrix::zeros(columns, rows);
-    let Some(found) = svd(matrix.clone(), true, true) else { return nothing() };
-    let least = NONE * found.singular_values.max();
-    found.pseudo_inverse(least).unwrap_or_else(|_| nothing())
-}
-
-/// Directions, as rows, in which no length changes; `None` where there are none.
-fn open_directions(structure: &DMatrix<f64>) -> Option<DMatrix<f64>> {
-    let found = symmetric_eigen(structure * structure.transpose())?;
-    let largest = found.eigenvalues.max();
-    let open: Vec<usize> = (0..structure.nrows()).filter(|&place| found.eigenvalues[place] < NONE * largest).collect();
-    (!open.is_empty()).then(|| found.eigenvectors.select_columns(&open).transpose())
 }

@@ -180,8 +180,17 @@ fn not_held_words(asked: &AskedCapability<'_>, solution: &Solution) -> Option<St
     if let Some(reason) = &not_held.reason {
         return Some(format!("a cable has no path everywhere in the box, at ({place}) m: {reason}"));
     }
+    let (cables, dof) = (asked.model.cable_count(), asked.model.dof());
+    let hangs = match cables < dof {
+        true => format!(
+            ". {cables} cables leave the platform {} of its {dof} degrees of freedom, in which it turns as its load says: it keeps no orientation of a box (`cdpr ik --position` \
+             tells the one that it has)",
+            dof - cables
+        ),
+        false => String::new(),
+    };
     Some(format!(
-        "the robot does not hold its own load everywhere in the box: at ({place}) m it lacks {} N; limit: {}",
+        "the robot does not hold its own load everywhere in the box: at ({place}) m it lacks {} N; limit: {}{hangs}",
         significant(not_held.lacking, 3),
         limit_words(robot, &not_held.limited_by)
     ))

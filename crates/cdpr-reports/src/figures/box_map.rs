@@ -2,6 +2,7 @@
 
 use super::axis::finite_range;
 use super::colour;
+use super::colour_bar::ColourBar;
 use super::drawing::{Anchor, Drawing, LINE, Rectangle, title_width};
 use super::figure::Figure;
 use super::frame::Frame;
@@ -72,8 +73,17 @@ impl BoxMap {
                     drawing.rectangles("cell", colour::of_step(step), &all);
                 }
             }
-            draw_bar(&mut drawing, right + 28.0, (top, bottom), (low, low + spread));
-            drawing.upright_text((right + 112.0, 0.5 * (bottom + top)), &self.label);
+            let bar = ColourBar {
+                left: right + 28.0,
+                top,
+                bottom,
+                ends: [low, low + spread],
+                intervals: ColourBar::intervals_of(bottom - top),
+                number: &|value| significant(value, 4),
+                label: &self.label,
+                label_at: 84.0,
+            };
+            bar.draw(&mut drawing);
         }
         x.draw_below(&mut drawing, bottom, bottom, &format!("{} in m", self.axes[0]));
         y.draw_left(&mut drawing, LEFT, LEFT, &format!("{} in m", self.axes[1]));
@@ -83,20 +93,5 @@ impl BoxMap {
         drawing.text("tick", Anchor::Start, (LEFT + 14.0, key + 4.0), words);
         drawing.circle("dot bad", place(*at), 4.5, words);
         Some(drawing.finish())
-    }
-}
-
-fn draw_bar(drawing: &mut Drawing, left: f64, (top, bottom): (f64, f64), (low, high): (f64, f64)) {
-    let height = (bottom - top) / colour::COUNT as f64;
-    for step in 0..colour::COUNT {
-        let upper = bottom - height * (step + 1) as f64;
-        drawing.rectangle("swatch", (left, upper), (14.0, height + 0.3), Some(colour::of_step(step)));
-    }
-    // at the borders of colours
-    let ticks = if bottom - top < 200.0 { 3 } else { 6 };
-    for tick in 0..=ticks {
-        let share = f64::from(tick) / f64::from(ticks);
-        let text = significant(low + share * (high - low), 4);
-        drawing.text("tick", Anchor::Start, (left + 19.0, bottom - share * (bottom - top) + 4.0), &text);
     }
 }

@@ -2,6 +2,7 @@
 
 use super::axis::{Axis, finite_range};
 use super::colour;
+use super::colour_bar::ColourBar;
 use super::drawing::{Anchor, Drawing, Rectangle};
 use super::figure::Figure;
 use crate::number_format::condition;
@@ -53,7 +54,17 @@ impl ConditionCells {
         x.draw_below(&mut drawing, TOP + SIDE, TOP + SIDE, &self.labels[0]);
         y.draw_left(&mut drawing, LEFT, LEFT, &self.labels[1]);
         self.mark(&mut drawing, &x, &y);
-        draw_bar(&mut drawing, (low, high));
+        let bar = ColourBar {
+            left: LEFT + SIDE + 26.0,
+            top: TOP,
+            bottom: TOP + SIDE,
+            ends: [low, high],
+            intervals: 5,
+            number: &|power| condition(10_f64.powf(power)),
+            label: "condition",
+            label_at: 88.0,
+        };
+        bar.draw(&mut drawing);
         Some(drawing.finish())
     }
 
@@ -72,18 +83,4 @@ impl ConditionCells {
             drawing.circle("dot chosen", (x.place(at[0]), y.place(at[1])), 3.0, self.words);
         }
     }
-}
-
-fn draw_bar(drawing: &mut Drawing, (low, high): (f64, f64)) {
-    let (left, height) = (LEFT + SIDE + 26.0, SIDE / colour::COUNT as f64);
-    for step in 0..colour::COUNT {
-        let upper = TOP + SIDE - height * (step + 1) as f64;
-        drawing.rectangle("swatch", (left, upper), (14.0, height + 0.3), Some(colour::of_step(step)));
-    }
-    for tick in 0..=5 {
-        let share = f64::from(tick) / 5.0;
-        let text = condition(10_f64.powf(low + share * (high - low)));
-        drawing.text("tick", Anchor::Start, (left + 19.0, TOP + SIDE - share * SIDE + 4.0), &text);
-    }
-    drawing.upright_text((left + 88.0, TOP + 0.5 * SIDE), "condition");
 }

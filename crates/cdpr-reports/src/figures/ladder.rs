@@ -5,7 +5,7 @@ use cdpr_calibration::selection::{ComparedError, SelectionCriterion};
 use super::axis::{Axis, finite_range};
 use super::drawing::{Anchor, Drawing};
 use super::figure::Figure;
-use super::wrapped_name::wrapped;
+use crate::table::wrapped;
 
 /// One candidate.
 pub struct Rung {
@@ -90,6 +90,8 @@ const NARROW: Layout = Layout { letters: 50, plot: 320.0, above: true };
 const LETTER: f64 = 6.65;
 /// Height of a line of a name.
 const LINE: f64 = 13.0;
+/// Longer names are cut.
+const MOST_LINES: usize = 4;
 const TOP: f64 = 30.0;
 
 impl Ladder {
@@ -138,11 +140,11 @@ impl Ladder {
     }
 
     fn drawn(&self, layout: &Layout) -> Option<Figure> {
-        let names: Vec<Vec<String>> = self.rungs.iter().map(|rung| wrapped(&rung.name, layout.letters)).collect();
+        let names: Vec<Vec<String>> = self.rungs.iter().map(|rung| name_lines(&rung.name, layout.letters)).collect();
         let longest = names.iter().flatten().map(|line| line.chars().count()).max().unwrap_or(0);
         let left = if layout.above { 14.0 } else { 46.0 + LETTER * longest as f64 };
         let right = left + layout.plot;
-        let axis = self.axis((left, right))?;
+        let axis = self.axis(left, right)?;
         let rows = rows(&names, layout);
         let bottom = rows.last().map_or(TOP, |row| row.bottom);
         let keys = self.keys(&axis);
@@ -177,13 +179,14 @@ impl Ladder {
         // wide drawings have the keys below the plot, where the axis is
         let keys_left = if layout.above { left } else { (right - KEY_WIDTH).max(14.0) };
         for (place, key) in keys.iter().enumerate() {
-            key.draw(&mut drawing, (keys_left, bottom + 56.0 + KEY * place as f64));
+            key.draw(&mut drawing, keys_left, bottom + 56.0 + KEY * place as f64);
         }
         Some(drawing.finish())
     }
 
     /// The axis over all errors and what of their bars is worth the room.
-    fn axis(&self, pixels: (f64, f64)) -> Option<Axis> {
+    fn axis(&self, left: f64, right: f64) -> Option<Axis> {
+        let pixels = (left, right);
         let values = || self.rungs.iter().filter(|rung| rung.value.is_finite());
         let error = |rung: &Rung| Some(rung.standard_error).filter(|error| error.is_finite()).unwrap_or(0.0);
         let low = |rung: &Rung| (rung.value - error(rung)).max(0.7 * rung.value);
@@ -216,7 +219,7 @@ const KEY_WIDTH: f64 = 400.0;
 /// A band of a pixel could not be seen.
 const LEAST_BAND: f64 = 3.0;
 
-/// Mark whose meaning is told below the plot.
+/// Key to a mark, below the plot.
 enum Key {
     /// Full dot in the shade.
     AsGood,
@@ -227,7 +230,7 @@ enum Key {
 }
 
 impl Key {
-    fn draw(&self, drawing: &mut Drawing, (x, y): (f64, f64)) {
+    fn draw(&self, drawing: &mut Drawing, x: f64, y: f64) {
         let middle = x + 13.0;
         let words = match self {
             Self::AsGood => {
@@ -246,6 +249,17 @@ impl Key {
         };
         drawing.text("tick", Anchor::Start, (x + 34.0, y + 4.0), words);
     }
+}
+
+/// A name in lines of at most so many letters; what four lines cannot hold is cut.
+fn name_lines(name: &str, letters: usize) -> Vec<String> {
+    let mut lines = wrapped(name, letters);
+    if lines.len() > MOST_LINES {
+        lines.truncate(MOST_LINES);
+        lines[MOST_LINES - 1].pop();
+        lines[MOST_LINES - 1].push('…');
+    }
+    lines
 }
 
 /// Heights of a candidate's row, and of its dot.
@@ -328,6 +342,16 @@ mod tests {
     }
 
     #[test]
+    fn names_break_after_separators_and_lose_nothing() {
+        let name = "elastic:frame-anchor,platform-anchor,length-offset,compliance,wrench";
+        let lines = name_lines(name, 38);
+        assert_eq!(lines, ["elastic:frame-anchor,platform-anchor,", "length-offset,compliance,wrench"]);
+        assert_eq!(lines.concat(), name);
+        let long = name_lines(&"a-long-parameter,".repeat(20), 20);
+        assert!(long.len() == MOST_LINES && long[MOST_LINES - 1].ends_with('…'), "{long:?}");
+    }
+
+    #[test]
     fn the_scale_is_logarithmic_and_the_best_says_its_value() {
         let candidates = [
             compared("standard", 0.006, [0.002, 0.0002], true),
@@ -348,7 +372,7 @@ mod tests {
         assert_eq!(ladder.rungs[2].words, "elastic: 4.00 mm, the least");
     }
 
-    /// A dot lies in the shade exactly where its candidate is as good, whatever the unit.
+    /// A dot lies in the shade if and only if its candidate is as good, for errors in any unit.
     #[test]
     fn shade_and_dots_agree_for_every_criterion() {
         let candidates = [[0.02, 0.01], [0.004, 0.005], [0.0, 0.0], [0.0003, 0.0]];

@@ -3,9 +3,11 @@
 use super::arrow;
 use super::axis::{Axis, finite_range};
 use super::colour;
-use super::drawing::{Anchor, Drawing, LINE, title_width};
+use super::colour_bar::ColourBar;
+use super::drawing::{Drawing, LINE, title_width};
 use super::figure::Figure;
 use super::frame::Frame;
+use crate::number_format::significant;
 
 /// One sample.
 pub struct MapPoint {
@@ -62,7 +64,17 @@ impl Map {
         for [from, to] in arrow::some_of(&self.arrows) {
             arrow::draw(&mut drawing, place(from), place(to));
         }
-        self.draw_bar(&mut drawing, right + 28.0, (top, bottom));
+        let bar = ColourBar {
+            left: right + 28.0,
+            top,
+            bottom,
+            ends: [0.0, self.top],
+            intervals: ColourBar::intervals_of(bottom - top),
+            number: &|value| significant(value, 3),
+            label: &self.colour_label,
+            label_at: 84.0,
+        };
+        bar.draw(&mut drawing);
         Some(drawing.finish())
     }
 
@@ -76,22 +88,6 @@ impl Map {
                 drawing.discs(colour::of_step(step), &centres, radius);
             }
         }
-    }
-
-    fn draw_bar(&self, drawing: &mut Drawing, left: f64, (top, bottom): (f64, f64)) {
-        let height = (bottom - top) / colour::COUNT as f64;
-        for step in 0..colour::COUNT {
-            let upper = bottom - height * (step + 1) as f64;
-            drawing.rectangle("swatch", (left, upper), (14.0, height + 0.3), Some(colour::of_step(step)));
-        }
-        // at the borders of colours
-        let ticks = if bottom - top < 200.0 { 3 } else { 6 };
-        for tick in 0..=ticks {
-            let share = f64::from(tick) / f64::from(ticks);
-            let text = crate::number_format::significant(share * self.top, 3);
-            drawing.text("tick", Anchor::Start, (left + 19.0, bottom - share * (bottom - top) + 4.0), &text);
-        }
-        drawing.upright_text((left + 84.0, 0.5 * (bottom + top)), &self.colour_label);
     }
 }
 

@@ -7,6 +7,7 @@ mod arrow;
 mod axis;
 mod box_map;
 pub mod colour;
+mod colour_bar;
 mod condition_cells;
 mod convergence;
 mod correlations;
@@ -30,7 +31,6 @@ mod shares;
 mod spectrum;
 mod timeline;
 mod tracking;
-mod wrapped_name;
 
 pub use box_map::{BoxCell, BoxMap};
 pub use condition_cells::ConditionCells;

@@ -52,13 +52,8 @@ struct Transformation {
 impl Capability<'_> {
     /// Lower bound in a cell of a quantity that is `value` at the centre; −∞ where the load may not be held.
     pub(super) fn bound(&self, demand: &Demand, value: f64, cell: &Cell<'_>) -> f64 {
-        let ratio = |face: &Face| {
-            let support = demand.support(&face.normal);
-            if support > 0.0 { face.room / support } else { f64::INFINITY }
-        };
-        let Some(critical) = cell.faces.iter().min_by(|a, b| ratio(a).total_cmp(&ratio(b))) else {
-            return f64::NEG_INFINITY;
-        };
+        let critical = cell.faces.iter().min_by(|a, b| a.allows(demand).total_cmp(&b.allows(demand)));
+        let Some(critical) = critical else { return f64::NEG_INFINITY };
         let transformation = self.transformation(cell, critical);
         let needed = cell.load.norm() + value * demand.size(self.least_length());
         let mut least = value;

@@ -1,10 +1,32 @@
-//! Wrenches that a unit of each quantity adds to the load.
+//! Quantities, and the wrenches that a unit of each adds to the load.
 
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::quantity::{Absent, Quantity};
 use cdpr_model::geometry::Wrench;
 use cdpr_model::model::Model;
+
+/// Quantity that a robot can do so much of.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+#[non_exhaustive]
+pub enum Quantity {
+    /// Mass that is added to the robot's own load (kg).
+    Payload,
+    /// Acceleration of the platform from rest in any direction (m/s²).
+    Acceleration,
+    /// Acceleration in both senses of the axis with this index (m/s²).
+    AxisAcceleration(usize),
+    /// Speed of the platform in any direction, without turning (m/s).
+    Speed,
+}
+
+/// Quantity that the robot's file does not answer, and why.
+#[derive(Clone, Debug, PartialEq)]
+pub struct Absent {
+    /// The quantity.
+    pub quantity: Quantity,
+    /// Reason in words.
+    pub reason: String,
+}
 
 /// Wrenches that the unit of a quantity adds; the speed asks for none.
 #[derive(Clone, Debug)]
@@ -92,7 +114,7 @@ pub(super) fn along(normal: &Wrench, arm: &Vector3<f64>) -> Vector3<f64> {
     force + moment.cross(arm)
 }
 
-/// The demands of payload and accelerations, or why the robot's file does not tell them.
+/// The demands of payload and accelerations, or the reason for which the robot's file does not determine them.
 pub(super) fn all(model: &Model, rotation: UnitQuaternion<f64>, payload_place: f64) -> Vec<Result<Demand, Absent>> {
     let mut all = vec![payload(model, rotation, payload_place).map(Demand::Payload)];
     let axes = model.axes();

@@ -2,6 +2,7 @@
 
 use nalgebra::{SVector, Vector3};
 
+use super::demand::Demand;
 use crate::Point;
 use cdpr_model::cable::CablePath;
 use cdpr_model::geometry::Wrench;
@@ -21,6 +22,14 @@ pub(super) struct Face {
     pub(super) at_largest: u64,
     /// Bit i: cable i is at its least tension everywhere on it.
     pub(super) at_least: u64,
+}
+
+impl Face {
+    /// Largest amount of a quantity that it allows; infinite for one that it does not limit.
+    pub(super) fn allows(&self, demand: &Demand) -> f64 {
+        let support = demand.support(&self.normal);
+        if support > 0.0 { self.room / support } else { f64::INFINITY }
+    }
 }
 
 /// A cell, and the quantities that need bounds in it.

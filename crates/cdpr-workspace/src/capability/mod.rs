@@ -25,14 +25,13 @@ mod demand;
 mod face;
 mod limit;
 mod pose;
-mod quantity;
 mod question;
 mod search;
 #[cfg(test)]
 mod tests;
 mod turning;
 
+pub use demand::{Absent, Quantity};
 pub use limit::{Limit, LimitedBy, NotHeld};
-pub use quantity::{Absent, Quantity};
 pub use question::Capability;
 pub use search::{Found, Settings, Solution, Status};

@@ -41,7 +41,7 @@ impl Capability<'_> {
             if matches!(demand, Demand::Speed) {
                 return [self.speed(&courses, 0.0).0, self.speed(&courses, reach).0];
             }
-            let value = faces.iter().map(|face| largest(face, demand)).fold(f64::INFINITY, f64::min);
+            let value = faces.iter().map(|face| face.allows(demand)).fold(f64::INFINITY, f64::min);
             let bound = match bounded & (1 << index) {
                 _ if reach == 0.0 => value,
                 0 => f64::NEG_INFINITY,
@@ -65,7 +65,7 @@ impl Capability<'_> {
             return Some(LimitedBy::of_cable(limit, cable));
         }
         let faces = self.faces(point).ok()?;
-        let face = faces.iter().min_by(|a, b| largest(a, demand).total_cmp(&largest(b, demand)))?;
+        let face = faces.iter().min_by(|a, b| a.allows(demand).total_cmp(&b.allows(demand)))?;
         Some(self.limit_of(face, point, Some(demand)))
     }
 
@@ -112,12 +112,6 @@ impl Capability<'_> {
         }
         least
     }
-}
-
-/// So much of a quantity as a face allows.
-fn largest(face: &Face, demand: &Demand) -> f64 {
-    let support = demand.support(&face.normal);
-    if support > 0.0 { face.room / support } else { f64::INFINITY }
 }
 
 /// A pose at which a cable has no path.

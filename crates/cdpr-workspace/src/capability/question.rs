@@ -2,17 +2,16 @@
 
 use nalgebra::{UnitQuaternion, Vector3};
 
-use super::demand::{self, Demand};
+use super::demand::{self, Absent, Demand, Quantity};
 use super::face::Rows;
-use super::quantity::{Absent, Quantity};
-use crate::criterion::length_scale_of;
-use crate::wrench_set::{CABLE_LIMIT, WrenchSetError, row_lengths};
+use crate::criterion::{check_limits, length_scale_of};
+use crate::wrench_set::row_lengths;
 use crate::{Point, WorkspaceError};
 use cdpr_model::cable::winch::SpeedLimit;
 use cdpr_model::geometry::{Pose, Wrench};
 use cdpr_model::model::Model;
 use cdpr_model::statics::Load;
-use cdpr_model::tension::{InputError, Limits};
+use cdpr_model::tension::Limits;
 
 /// Name in errors.
 const NAME: &str = "capability";
@@ -42,13 +41,7 @@ impl<'a> Capability<'a> {
         rotation: UnitQuaternion<f64>,
         payload_place: f64,
     ) -> Result<Self, WorkspaceError> {
-        let (expected, found) = (model.cable_count(), limits.cable_count());
-        if expected != found {
-            return Err(InputError::LimitCount { expected, found }.into());
-        }
-        if expected > CABLE_LIMIT {
-            return Err(WrenchSetError::TooManyCables { found: expected }.into());
-        }
+        check_limits(model, limits)?;
         if !(payload_place >= 0.0 && payload_place.is_finite()) {
             let (setting, wanted) = ("place of the payload", "it is a finite distance of 0 or more (m)");
             return Err(WorkspaceError::Capability { setting, value: payload_place, wanted });

@@ -3,11 +3,12 @@
 use std::cmp::Ordering;
 use std::collections::BinaryHeap;
 
+use super::demand::{Absent, Quantity};
 use super::face::{Judged, Place};
 use super::limit::{LimitedBy, NotHeld};
-use super::quantity::{Absent, Quantity};
 use super::question::Capability;
 use crate::{Bounds, Point, WorkspaceError};
+use cdpr_model::scalar::map_all;
 
 /// When the search stops.
 #[derive(Clone, Debug, PartialEq)]
@@ -215,7 +216,7 @@ impl Search<'_> {
         Place { center: cell.center, half: cell.half, bounded }
     }
 
-    /// Poses of a grid over the box with its faces; the worst one is told if the load is not held.
+    /// Judges the poses of a grid over the box with its faces; an error with the worst one if the load is not held.
     fn look_around(&mut self) -> Result<(), Box<NotHeld>> {
         let dimension = self.bounds.dimension();
         let at = |index: usize| {
@@ -252,17 +253,10 @@ impl Search<'_> {
         Ok(())
     }
 
-    /// Judges cells by centre and half sides, and keeps the least values; the worst one is told if the load is not held.
+    /// Judges cells by centre and half sides, and keeps the least values; an error with the worst pose if the load is not held.
     fn judge_all(&mut self, places: &[Place]) -> Result<Vec<Judged>, Box<NotHeld>> {
         let asked = self.asked;
-        let judge = |place: &Place| asked.judge(place);
-        #[cfg(feature = "parallel")]
-        let answers: Vec<Result<Judged, Box<NotHeld>>> = {
-            use rayon::prelude::*;
-            places.par_iter().map(judge).collect()
-        };
-        #[cfg(not(feature = "parallel"))]
-        let answers: Vec<Result<Judged, Box<NotHeld>>> = places.iter().map(judge).collect();
+        let answers = map_all(places.len(), |place| asked.judge(&places[place]));
         self.poses += places.len() as u64;
         let (mut judged, mut failed) = (Vec::with_capacity(answers.len()), Vec::new());
         for answer in answers {

@@ -240,7 +240,7 @@ fn the_bounds_of_a_cell_hold_everywhere_in_it() {
     }
 }
 
-/// A rotated platform, a wrong box and wrong settings are told.
+/// Refuses a negative place, a box of another dimension and settings out of range.
 #[test]
 fn mistakes_are_refused_in_words() {
     let model = model(TWO_CABLES);

@@ -3,11 +3,13 @@
 use nalgebra::Vector3;
 
 use super::clearance::Segment;
+use crate::wrench_set::{CABLE_LIMIT, WrenchSetError};
 use crate::{Verdict, WorkspaceError};
 use cdpr_model::cable::CablePath;
 use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 use cdpr_model::robot::{Cable, Robot};
+use cdpr_model::tension::{InputError, Limits};
 
 /// "cable 3", followed by its name if that differs from its number.
 pub(super) fn named(robot: &Robot, cable: usize) -> String {
@@ -97,6 +99,18 @@ pub(super) fn length_scale(model: &Model, criterion: &'static str, given: Option
 pub(crate) fn length_scale_of(model: &Model, criterion: &'static str) -> Result<f64, WorkspaceError> {
     fixed_directions(model, criterion)?;
     length_scale(model, criterion, None)
+}
+
+/// Refuses limits of another number of cables, and more cables than wrench sets are made of.
+pub(crate) fn check_limits(model: &Model, limits: &Limits) -> Result<(), WorkspaceError> {
+    let (expected, found) = (model.cable_count(), limits.cable_count());
+    if expected != found {
+        return Err(InputError::LimitCount { expected, found }.into());
+    }
+    if expected > CABLE_LIMIT {
+        return Err(WrenchSetError::TooManyCables { found: expected }.into());
+    }
+    Ok(())
 }
 
 /// Refuses a model whose structure matrix depends on its tensions, for a criterion that uses the matrix alone.

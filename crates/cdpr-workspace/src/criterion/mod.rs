@@ -30,7 +30,7 @@ mod wrench_set_feasible;
 
 pub use any_all::{All, Any};
 pub(crate) use cable_interference::CableInterference;
-pub(crate) use cables::length_scale_of;
+pub(crate) use cables::{check_limits, length_scale_of};
 pub(crate) use dexterity::{Dexterity, JacobianConditioning};
 pub use lengths::LengthLimits;
 pub(crate) use natural_frequency::NaturalFrequency;

@@ -1,11 +1,9 @@
 //! Wrench feasibility of a whole set of wrenches.
 
-use super::cables::{fixed_directions, length_scale, named, not_negative};
+use super::cables::{check_limits, fixed_directions, length_scale, named, not_negative};
 use super::{Criterion, Verdict};
 use crate::WorkspaceError;
-use crate::wrench_set::{
-    CABLE_LIMIT, Margin, Payload, RequiredSet, WrenchSetError, Zonotope, most_hyperplanes, row_lengths,
-};
+use crate::wrench_set::{Margin, Payload, RequiredSet, Zonotope, most_hyperplanes, row_lengths};
 use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 use cdpr_model::robot::Robot;
@@ -45,13 +43,7 @@ impl<'a> WrenchSetFeasible<'a> {
         requirement: Requirement,
         scale: Option<f64>,
     ) -> Result<Self, WorkspaceError> {
-        let (expected, found) = (model.cable_count(), limits.cable_count());
-        if expected != found {
-            return Err(InputError::LimitCount { expected, found }.into());
-        }
-        if expected > CABLE_LIMIT {
-            return Err(WrenchSetError::TooManyCables { found: expected }.into());
-        }
+        check_limits(model, limits)?;
         fixed_directions(model, NAME)?;
         match &requirement {
             Requirement::AroundLoad(_, set) if !set.fits(model.dof()) => {

@@ -1,25 +1,23 @@
-//! Steps and drifts of recorded lengths are found with their deviations, whatever else is free.
+//! Steps and drifts of recorded lengths, with their deviations, beside geometry, frames, clocks and elasticity.
 
 use rand::SeedableRng;
 use rand_chacha::ChaCha8Rng;
 use rand_distr::{Distribution, Normal};
 
 use crate::fit::{Fit, InputError, Settings, Status, fit};
-use crate::recorded_curves::curve;
+use crate::recorded_curves::{curve, points};
 use cdpr_model::geometry::Pose;
 use cdpr_model::measurement::{Samples, SensorSigmas};
 use cdpr_model::model::{Composition, Model};
 use cdpr_model::robot::Robot;
+use cdpr_model::statics::Load;
+use cdpr_model::tension::{Limits, closed_form};
 
 const COUNT: usize = 60;
 const NOISE: f64 = 1e-3;
 const STEP: f64 = 0.02;
 /// Ten-thousandth of a deviation (1 to 2 mm), at which the search ends, twice.
 const EXACT: f64 = 4e-7;
-
-fn model() -> Model {
-    Model::new(Robot::builtin("cablerobot-simulator-helicopter").unwrap(), Composition::STANDARD).unwrap()
-}
 
 /// A record whose cable 3 reads 20 mm more from line 32 on and whose cable 5 drifts by −20 mm, with noise of the lengths.
 fn record(model: &Model, seed: u64, noise: f64) -> Samples {
@@ -42,12 +40,12 @@ fn record(model: &Model, seed: u64, noise: f64) -> Samples {
 }
 
 fn found(samples: &Samples, free: &str) -> Result<Fit, InputError> {
-    fit(&model(), samples, &free.parse().unwrap(), &Settings::default())
+    fit(&points(), samples, &free.parse().unwrap(), &Settings::default())
 }
 
 #[test]
 fn exact_data_have_exact_shifts() {
-    let samples = record(&model(), 0, 0.0);
+    let samples = record(&points(), 0, 0.0);
     for free in ["length-offset", "frame-anchor,length-offset", "frame-anchor,length-offset,length-scale"] {
         let fit = found(&samples, &format!("{free},length-offset[3]@32,length-drift[5]")).unwrap();
         assert_eq!(fit.status, Status::Converged, "{}", fit.reason);
@@ -70,7 +68,7 @@ fn exact_data_have_exact_shifts() {
 /// A tracker that stands elsewhere hides no step.
 #[test]
 fn steps_are_found_beside_a_frame() {
-    let mut samples = record(&model(), 0, 0.0);
+    let mut samples = record(&points(), 0, 0.0);
     let frame = Pose::from_xyz_angles(nalgebra::Vector3::new(3.0, -2.0, 0.5), [0.02, -0.01, 0.6]);
     samples.poses.iter_mut().for_each(|pose| {
         *pose = Pose {
@@ -87,7 +85,7 @@ fn steps_are_found_beside_a_frame() {
 /// Errors over stated deviations of 60 records have a mean square of 1 within four of its standard errors, √(2/60), and so have those of the offset beside them.
 #[test]
 fn deviations_are_those_of_the_errors() {
-    let model = model();
+    let model = points();
     let (mut of_step, mut of_offset) = (0.0, 0.0);
     let records = 60;
     for seed in 0..records {
@@ -105,7 +103,7 @@ fn deviations_are_those_of_the_errors() {
 
 #[test]
 fn shifts_that_no_data_tell_are_refused() {
-    let samples = record(&model(), 0, NOISE);
+    let samples = record(&points(), 0, NOISE);
     for free in ["length-offset,length-offset[3]@900", "length-offset[9]@32"] {
         assert!(found(&samples, free).is_err(), "{free}");
     }
@@ -113,7 +111,63 @@ fn shifts_that_no_data_tell_are_refused() {
     let twice = found(&samples, "length-offset,length-offset@32,length-offset[3]@32,length-drift").unwrap();
     assert_eq!(twice.shifts.len(), 16);
     let held = Settings { hold: "length-offset[1,2,4,5,6,7,8]@32".parse().unwrap(), ..Settings::default() };
-    let fit = fit(&model(), &samples, &"length-offset,length-offset@32".parse().unwrap(), &held).unwrap();
+    let fit = fit(&points(), &samples, &"length-offset,length-offset@32".parse().unwrap(), &held).unwrap();
     assert_eq!(fit.shifts.len(), 1);
     assert!((fit.shifts[0].change - STEP).abs() < 5.0 * fit.shifts[0].sigma);
+}
+
+/// Steps of elastic cables: lengths f = (q − q_θ)/(c q) under tensions between 1 and 9 kN that hold the load.
+#[test]
+fn steps_of_elastic_cables_are_found() {
+    let robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
+    let model = Model::new(robot, "elastic".parse().unwrap()).unwrap();
+    let load = Load::of(model.robot()).unwrap();
+    let near = Limits::uniform(8, 1000.0, 9000.0).unwrap();
+    let mut samples = record(&model, 0, 0.0);
+    let mut tensions = Vec::new();
+    for (sample, pose) in samples.poses.iter().enumerate() {
+        let matrix = model.structure_matrix(pose).unwrap();
+        let found = closed_form::solve(&matrix, load.in_pattern(&model, pose).as_slice(), &near).unwrap();
+        for (cable, tension) in found.tensions.iter().enumerate() {
+            let length = model.cable_lengths(pose).unwrap()[cable];
+            samples.lengths[8 * sample + cable] += model.elasticity(cable).controlled_length(length, *tension) - length;
+        }
+        tensions.extend(found.tensions);
+    }
+    samples.tensions = Some(tensions);
+    samples.sigmas.tension = Some(10.0);
+    let free = "length-offset,compliance,length-offset[3]@32,length-drift[5]".parse().unwrap();
+    let fit = fit(&model, &samples, &free, &Settings::default()).unwrap();
+    assert_eq!(fit.status, Status::Converged, "{}", fit.reason);
+    assert!((fit.shifts[0].change - STEP).abs() < EXACT, "{:?}", fit.shifts);
+    assert!((fit.shifts[1].change + STEP).abs() < EXACT, "{:?}", fit.shifts);
+}
+
+/// A step beside a clock 40 ms late, with 0.5 mm of noise: both within four deviations.
+#[test]
+fn steps_are_found_beside_a_clock() {
+    let robot = Robot::builtin("planar-example").unwrap();
+    let model = Model::new(robot.clone(), Composition::STANDARD).unwrap();
+    let at = |t: f64| {
+        robot.motion_pattern.pose(robot.plane, &[0.5 + 0.8 * (0.7 * t).sin(), 4.0 + 0.5 * (1.1 * t).cos()]).unwrap()
+    };
+    let (count, late) = (500, 0.04);
+    let mut random = ChaCha8Rng::seed_from_u64(3);
+    let normal = Normal::new(0.0, 5e-4).unwrap();
+    let mut samples = Samples { cable_count: 4, lines: Some((2..count + 2).collect()), ..Samples::default() };
+    let time: Vec<f64> = (0..count).map(|row| 0.02 * row as f64).collect();
+    for (row, t) in time.iter().enumerate() {
+        samples.poses.push(at(t - late));
+        for (cable, length) in model.cable_lengths(&at(*t)).unwrap().into_iter().enumerate() {
+            let step = if cable == 1 && row >= 200 { STEP } else { 0.0 };
+            samples.lengths.push(length + step + normal.sample(&mut random));
+        }
+    }
+    samples.time = Some(time);
+    samples.sigmas.length = Some(5e-4);
+    let free = "length-offset,clock-offset,length-offset[2]@202".parse().unwrap();
+    let fit = fit(&model, &samples, &free, &Settings::default()).unwrap();
+    let (clock, step) = (fit.clock_offset.unwrap(), fit.shifts[0]);
+    assert!((clock.seconds - late).abs() < 4.0 * clock.sigma && clock.sigma < 1e-3, "{clock:?}");
+    assert!((step.change - STEP).abs() < 4.0 * step.sigma && step.sigma < 1e-4, "{step:?}");
 }
