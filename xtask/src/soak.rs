@@ -40,6 +40,9 @@ const PROPERTIES: &[&str] = &[
     "random_poses_of_eight_robots_get_the_right_verdict_and_the_optimum",
     "batches_decide_as_an_interior_point_solver_does",
     "intervals_of_stated_lengths_hold_the_truth_with_seven_equations",
+    "intervals_of_mass_and_center_of_mass_hold_the_truth",
+    "intervals_of_linear_densities_hold_the_truth",
+    "intervals_of_swivel_zeros_hold_the_truth",
 ];
 
 /// Readers that libFuzzer feeds.

@@ -4,6 +4,7 @@ use std::f64::consts::TAU;
 
 use cdpr_model::model::Model;
 use cdpr_model::robot::{Cable, Parameter, ParameterKind};
+use cdpr_model::statics::Load;
 
 /// Smallest size that counts (m).
 const LEAST: f64 = 1e-3;
@@ -54,6 +55,8 @@ pub(super) fn joint_scales(model: &Model, parameters: &[Parameter], lengths: &[f
     let (length, tension) = (mean(lengths), mean(tensions).max(1e-9));
     let compliance = parameters.iter().filter(|p| p.kind == ParameterKind::Compliance).map(|p| p.value(model.robot()));
     let compliance = compliance.fold(1e-7, f64::max);
+    let gravity = model.robot().gravity.map_or(0.0, |gravity| gravity.norm()).max(LEAST);
+    let weight = Load::of(model.robot()).map_or(0.0, |load| load.force()).max(LEAST);
     let metres = |parameter: &Parameter| match parameter.kind {
         ParameterKind::Compliance => tension * length,
         ParameterKind::HiddenLength => 1e-3,
@@ -64,6 +67,13 @@ pub(super) fn joint_scales(model: &Model, parameters: &[Parameter], lengths: &[f
         }
         ParameterKind::TensionScale => compliance * tension * length,
         ParameterKind::TensionOffset | ParameterKind::Wrench => compliance * length,
+        ParameterKind::Mass => compliance * length * gravity,
+        ParameterKind::CenterOfMass => compliance * length * weight,
+        // a shallow parabola under ρ g is longer than its chord by L³ (ρ g)² / (24 T²)
+        ParameterKind::LinearDensity => {
+            let density = parameter.value(model.robot()).max(LEAST);
+            density * length * (length * gravity / tension).powi(2) / 12.0
+        }
         kind => UnitScale::of(&model.robot().cables[parameter.cable], length).metres(kind),
     };
     parameters.iter().map(metres).collect()

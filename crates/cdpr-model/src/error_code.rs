@@ -155,11 +155,12 @@ impl ErrorCode for ParameterError {
     fn code(&self) -> &'static str {
         match self {
             Self::UnknownName { .. } => "parameter::unknown-name",
-            Self::Syntax { .. } | Self::WrenchOfCable => "parameter::syntax",
+            Self::Syntax { .. } | Self::LoadOfCable { .. } => "parameter::syntax",
             Self::NoSuchCable { .. } => "parameter::no-such-cable",
             Self::NotInModel { .. } | Self::GuidedDrum { .. } => "parameter::not-in-model",
             Self::ConstantSpring { .. } => "parameter::constant-spring",
             Self::StartLengthTwice { .. } => "parameter::collinear",
+            Self::NoEffect { .. } => "parameter::no-effect",
         }
     }
 }

@@ -3,12 +3,13 @@
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::examined::Examined;
-use super::load::{LEAST_OF_TENSIONS, stated_weight};
+use super::load::{LEAST_OF_TENSIONS, freeing, stated_weight};
 use crate::paired::platform_radius;
 use cdpr_model::finding::{Finding, FindingKind, Severity};
 use cdpr_model::geometry::{Pose, Wrench};
 use cdpr_model::measurement::{Samples, three_digits};
 use cdpr_model::model::Model;
+use cdpr_model::robot::ParameterKind;
 use cdpr_model::scalar::decomposition::{left_null_space, symmetric_eigen};
 use cdpr_model::statics::{Load, balanced_wrench};
 
@@ -47,12 +48,13 @@ pub(super) fn finding(examined: &Examined<'_>) -> Option<Finding> {
         };
         let words = format!(
             "what balances the load of {} N at the measured poses is a center of mass at {}, {} mm from that of the robot file at {} (explains {:.0} % of the moments \
-             that are left): is `center_of_mass_m` right, and the payload where it was?",
+             that are left): is `center_of_mass_m` right, and the payload where it was?{}",
             three_digits(weight),
             place(own + vector),
             three_digits(1e3 * size),
             place(own),
-            100.0 * explained
+            100.0 * explained,
+            freeing(examined, ParameterKind::CenterOfMass)
         );
         let (severity, text) = match size > ELSEWHERE * radius {
             true => (Severity::Distrust, format!("not to be trusted: {words}")),

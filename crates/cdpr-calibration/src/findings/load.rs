@@ -146,7 +146,21 @@ fn two_times(weighed: &Weighed, samples: &Samples) -> Option<Finding> {
 fn of_file(weighed: &Weighed, examined: &Examined<'_>) -> Option<Finding> {
     let stated = weighed.stated?;
     let (load, error) = weighed.over(0..examined.samples.len());
-    judged(load, error, stated, "the recorded tensions balance")
+    judged(load, error, stated, "the recorded tensions balance").map(|found| match found.severity {
+        Severity::Caution => {
+            Finding { text: format!("{}{}", found.text, freeing(examined, ParameterKind::Mass)), ..found }
+        }
+        _ => found,
+    })
+}
+
+/// The option that identifies a number of the weight, as the end of a sentence; empty where it is free, and where the model has none.
+pub(super) fn freeing(examined: &Examined<'_>, kind: ParameterKind) -> String {
+    let is_of_load = examined.fit.parameters.iter().any(|estimate| estimate.parameter.kind.is_of_load());
+    match examined.fit.model.needs_tensions() && !is_of_load {
+        true => format!(" (`{kind}` in `--free` finds it)"),
+        false => String::new(),
+    }
 }
 
 /// An identified load that is not that of the file.

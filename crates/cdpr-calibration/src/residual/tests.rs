@@ -77,13 +77,22 @@ fn derivatives_of_vectors_are_those_of_differences() {
     let both = Composition::PULLEY_ELASTIC;
     let rigid = "frame-anchor,platform-anchor,length-offset,length-scale,pulley-radius";
     let elastic = "frame-anchor,platform-anchor,length-offset,length-scale,pulley-radius,compliance,wrench,tension-scale,tension-offset";
+    let weighed = elastic.replace("wrench", "mass,center-of-mass");
     for (composition, free, objective) in [
         (Composition::PULLEY, rigid, Objective::Length),
         (Composition::PULLEY, rigid, Objective::Pose),
         (both, elastic, Objective::Length),
         (both, elastic, Objective::Pose),
+        (both, &weighed, Objective::Length),
+        (both, &weighed, Objective::Pose),
     ] {
-        let model = crane(composition);
+        let mut model = crane(composition);
+        if free.contains("mass") {
+            let mut robot = model.robot().clone();
+            (robot.external_wrench, robot.platform.mass) = (None, Some(300.0));
+            robot.platform.center_of_mass = Some(Vector3::new(0.05, -0.1, 0.2));
+            model = Model::new(robot, composition).unwrap();
+        }
         let samples = samples(&model);
         let parameters =
             free.parse::<FreeParameters>().unwrap().parameters(&model, &FreeParameters::default()).unwrap();

@@ -194,7 +194,11 @@ fn motions(model: &Model, parameters: &[Parameter]) -> Vec<Motion> {
             let name = axis_name(if is_turn { &turn } else { &shift });
             let name = if is_turn { format!("turn about {name}{of}") } else { format!("shift along {name}{of}") };
             let of_world = kind == ParameterKind::FrameAnchor && is_turn;
+            let center = robot.platform.center_of_mass.unwrap_or_else(Vector3::zeros);
             push(name, &|parameter| match parameter.kind {
+                ParameterKind::CenterOfMass if kind == ParameterKind::PlatformAnchor => {
+                    (shift + turn.cross(&center)).dot(&axis_of(parameter))
+                }
                 own if own == kind => (shift + turn.cross(&anchor(parameter))).dot(&axis_of(parameter)),
                 ParameterKind::Wrench if of_world => turned_wrench(model, parameter, &turn),
                 ParameterKind::SwivelAxis if of_world => {
@@ -218,11 +222,12 @@ fn motions(model: &Model, parameters: &[Parameter]) -> Vec<Motion> {
         ParameterKind::PlatformAnchor => robot.cables[parameter.cable].platform_anchor.dot(&axis_of(parameter)),
         ParameterKind::LengthScale => -parameter.value(robot),
         ParameterKind::Wrench if is_turn(&model.twist_basis()[parameter.axis]) => parameter.value(robot),
+        ParameterKind::CenterOfMass => parameter.value(robot),
         kind if kind.is_of_ideal_winch() && !is_scaled => parameter.value(robot),
         _ => 0.0,
     });
     push(FORCES.to_owned(), &|parameter| match parameter.kind {
-        ParameterKind::Wrench => parameter.value(robot),
+        ParameterKind::Wrench | ParameterKind::Mass => parameter.value(robot),
         ParameterKind::TensionScale | ParameterKind::Compliance => -parameter.value(robot),
         ParameterKind::Stretch(number) if number.entry().unit == "N" => parameter.value(robot),
         _ => 0.0,

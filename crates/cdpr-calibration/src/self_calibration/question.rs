@@ -12,7 +12,7 @@ use crate::gauge_convention::GaugeConvention;
 use crate::residual::balance::start::with_constant_wrench;
 use crate::residual::sensors::{SensorLayout, Swivel, Weights};
 use cdpr_model::measurement::{InternalSamples, Samples};
-use cdpr_model::model::{FreeParameters, Model};
+use cdpr_model::model::{FreeParameters, Model, ParameterError};
 use cdpr_model::robot::{Parameter, ParameterKind};
 use cdpr_model::statics::Load;
 
@@ -40,8 +40,8 @@ pub(super) enum Forces {
     Nothing,
     /// Of load cells, or of winches that count from nowhere.
     Sensors,
-    /// The wrench.
-    Wrench,
+    /// The load: the wrench, or the weight.
+    Load,
 }
 
 impl Forces {
@@ -52,8 +52,9 @@ impl Forces {
         let m = internal.samples.cable_count;
         let of_sensors = [ParameterKind::TensionScale, ParameterKind::TensionOffset];
         let counts_from_nowhere = internal.are_changes && is_free(ParameterKind::LengthOffset, m);
-        match is_free(ParameterKind::Wrench, 1) {
-            true => Self::Wrench,
+        let is_of_load = ParameterKind::IDENTIFIED.into_iter().any(|kind| kind.is_of_load() && is_free(kind, 1));
+        match is_of_load {
+            true => Self::Load,
             false if counts_from_nowhere || of_sensors.into_iter().any(|kind| is_free(kind, m)) => Self::Sensors,
             false => Self::Nothing,
         }
@@ -66,7 +67,7 @@ impl Forces {
 /// More cables pull against each other, and stretch by what the model lacks: calibrated lengths have anchors that make up for it, equilibrium has the true ones.
 pub(super) fn sensing(model: &Model, internal: &InternalSamples, asked: Forces) -> Sensing {
     let samples = &internal.samples;
-    let has_load = asked == Forces::Wrench || Load::of(model.robot()).is_ok();
+    let has_load = asked == Forces::Load || Load::of(model.robot()).is_ok();
     let is_told = asked != Forces::Nothing || model.cable_count() <= model.dof();
     // beside lengths alone equilibrium leaves no equation
     let has_others = internal.swivels.is_some() || internal.known.iter().flatten().any(|known| *known);
@@ -98,6 +99,18 @@ pub(super) fn check_swivels(model: &Model, internal: &InternalSamples) -> Result
     }
 }
 
+/// A mass that the record states sample by sample is not free.
+fn check_masses(parameters: &[Parameter], internal: &InternalSamples) -> Result<(), ParameterError> {
+    let is_mass = |parameter: &Parameter| parameter.kind == ParameterKind::Mass;
+    match internal.masses.is_some() && parameters.iter().any(is_mass) {
+        true => Err(ParameterError::NoEffect {
+            kind: ParameterKind::Mass,
+            reason: "the record states the mass of every sample (`mass_kg`): leave the column out, or hold `mass`",
+        }),
+        false => Ok(()),
+    }
+}
+
 impl<'a> Question<'a> {
     pub(super) fn of(
         model: &Model,
@@ -120,6 +133,7 @@ impl<'a> Question<'a> {
             Sensing::All(..) => free.parameters_with(model, &settings.hold, balances)?,
         };
         check_motor_angles(&parameters, &internal.samples)?;
+        check_masses(&parameters, internal)?;
         let (model, internal) = (model.clone(), internal.clone());
         let mut question = Self { model, internal, parameters, sensing, equations, settings };
         if balances {

@@ -18,6 +18,7 @@ mod elastostatic_oracle;
 mod gtcable;
 mod identification_oracle;
 mod irma4u;
+mod load_coverage;
 mod predicted_band;
 mod selection_truth;
 mod self_calibration;

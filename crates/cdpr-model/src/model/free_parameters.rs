@@ -6,10 +6,8 @@ mod tests;
 use std::fmt;
 use std::str::FromStr;
 
-use thiserror::Error;
-
 use super::length_shifts::FreeShift;
-use super::{Composition, LengthShift, Model, ShiftCourse, StretchEffect};
+use super::{Composition, LengthShift, Model, ParameterError, ShiftCourse, SpanEffect, StretchEffect};
 use crate::robot::{Head, Parameter, ParameterKind};
 
 /// Selection of parameters, free or held: kinds, each for all cables or for some.
@@ -50,76 +48,6 @@ impl RecordingParameter {
     }
 }
 
-/// A list of parameters that cannot be read or does not fit the model.
-#[derive(Clone, Debug, PartialEq, Error)]
-pub enum ParameterError {
-    /// An unknown name.
-    #[error("`{name}` is not a parameter; known are {}{}", FreeParameters::known_names().collect::<Vec<_>>().join(", "), suggestion(.name))]
-    UnknownName {
-        /// The word found.
-        name: String,
-    },
-    /// Text around the brackets that cannot be read.
-    #[error(
-        "cannot read `{item}`: write NAME or NAME[1,3], separated by commas, cables counted from 1; `length-offset@52` is a step from line 52 on"
-    )]
-    Syntax {
-        /// The item.
-        item: String,
-    },
-    /// A cable the robot does not have.
-    #[error("`{kind}[{cable}]`: the robot has cables 1 to {cable_count}")]
-    NoSuchCable {
-        /// Name of the parameter.
-        kind: ParameterKind,
-        /// The number given, from 1.
-        cable: usize,
-        /// Number of cables.
-        cable_count: usize,
-    },
-    /// A parameter of an effect that the model does not have.
-    #[error("`{kind}` is free, but the model is `{model}`; choose a model with the effect `{effect}`")]
-    NotInModel {
-        /// The parameter.
-        kind: ParameterKind,
-        /// The model's composition.
-        model: String,
-        /// The effect to which it belongs.
-        effect: &'static str,
-    },
-    /// Two parameters with the same effect on the recorded lengths of a cable.
-    #[error(
-        "`start-length[{cable}]` and `length-offset[{cable}]` are both free, but they shift the recorded lengths of cable {cable} alike, \
-         so that no data tell them apart: free one of them"
-    )]
-    StartLengthTwice {
-        /// Number of the cable, from 1.
-        cable: usize,
-    },
-    /// A cable whose law has no specific compliance.
-    #[error(
-        "`{kind}[{cable}]` is free, but cable {cable} has a constant spring (`spring_constant_N_per_m`), which has no {kind}; state `axial_stiffness_EA_N` instead, or restrict the list to other cables"
-    )]
-    ConstantSpring {
-        /// The parameter.
-        kind: ParameterKind,
-        /// Number of the cable, from 1.
-        cable: usize,
-    },
-    /// The axis of a guided drum, which has no effect on lengths.
-    #[error(
-        "`drum-axis[{cable}]` is free, but the guide of cable {cable} travels with the contact point (`drum_guided`), so that no length tells \
-         where the drum's axis points: restrict the list to other cables, or leave `drum-axis` out"
-    )]
-    GuidedDrum {
-        /// Number of the cable, from 1.
-        cable: usize,
-    },
-    /// The wrench with cables in brackets.
-    #[error("`wrench` belongs to the platform, not to single cables: write it without brackets")]
-    WrenchOfCable,
-}
-
 /// The kind with this name, if identification may free it; otherwise an error.
 pub fn identified_kind(name: &str) -> Result<ParameterKind, ParameterError> {
     let kind = ParameterKind::IDENTIFIED.into_iter().find(|kind| kind.name() == name);
@@ -133,26 +61,10 @@ pub fn missing_effect(kind: ParameterKind, composition: Composition) -> Option<&
         kind if kind.needs_motor_angles() && !kind.is_of_ideal_winch() && !composition.drum => Some("drum"),
         ParameterKind::Compliance if composition.stretch != StretchEffect::Linear => Some("elastic"),
         ParameterKind::HiddenLength if !composition.is_elastic() => Some("elastic"),
+        ParameterKind::LinearDensity if composition.span == SpanEffect::Straight => Some("catenary"),
         ParameterKind::Stretch(number) if composition.stretch != number.law().effect => Some(number.law().word),
         kind if kind.needs_elasticity() && !composition.needs_tensions() => Some("elastic"),
         _ => None,
-    }
-}
-
-/// Names that a word probably meant, as the end of a sentence: those that hold it, or the closest.
-fn suggestion(name: &str) -> String {
-    let stem = name.strip_suffix('s').unwrap_or(name);
-    let holding: Vec<String> = FreeParameters::known_names()
-        .filter(|known| stem.len() > 3 && known.contains(stem))
-        .map(|known| format!("`{known}`"))
-        .collect();
-    if !holding.is_empty() {
-        return format!("; did you mean {}?", holding.join(" or "));
-    }
-    let close = |known: &&str| strsim::jaro_winkler(known, name);
-    match FreeParameters::known_names().max_by(|a, b| close(a).total_cmp(&close(b))) {
-        Some(known) if close(&known) > 0.75 => format!("; did you mean `{known}`?"),
-        _ => String::new(),
     }
 }
 
@@ -268,18 +180,42 @@ impl FreeParameters {
         hold.check_cables(model)?;
         let mut parameters = Vec::new();
         for cable in 0..model.cable_count() {
-            for kind in ParameterKind::IDENTIFIED.into_iter().filter(|&kind| kind != ParameterKind::Wrench) {
+            for kind in ParameterKind::IDENTIFIED.into_iter().filter(|kind| !kind.is_of_load()) {
                 if self.contains(kind, cable) && !hold.contains(kind, cable) {
                     parameters.extend(Parameter::identified(kind, model.robot(), cable));
                 }
             }
         }
-        let kind = ParameterKind::Wrench;
-        if self.contains(kind, 0) && !hold.contains(kind, 0) {
-            parameters.extend((0..model.dof()).map(|axis| Parameter { cable: 0, kind, axis }));
+        let of_load = ParameterKind::IDENTIFIED.into_iter().filter(|kind| kind.is_of_load());
+        for kind in of_load.filter(|&kind| self.contains(kind, 0) && !hold.contains(kind, 0)) {
+            parameters.extend(Parameter::identified(kind, model.robot(), 0));
         }
         Self::check_start_lengths(&parameters)?;
+        Self::check_load(&parameters, model)?;
         Ok(parameters)
+    }
+
+    /// Checks that free numbers of the weight have an effect of their own.
+    fn check_load(parameters: &[Parameter], model: &Model) -> Result<(), ParameterError> {
+        let is_weight = |kind: ParameterKind| matches!(kind, ParameterKind::Mass | ParameterKind::CenterOfMass);
+        let Some(kind) = parameters.iter().map(|parameter| parameter.kind).find(|&kind| is_weight(kind)) else {
+            return Ok(());
+        };
+        let robot = model.robot();
+        let is_whole = robot.external_wrench.as_ref().is_some_and(|external| external.includes_gravity);
+        let reason = match kind {
+            _ if parameters.iter().any(|parameter| parameter.kind == ParameterKind::Wrench) => {
+                "`wrench` is free, too, and includes the weight: free one of them"
+            }
+            _ if is_whole => {
+                "the file's `[external_wrench]` includes the weight (`includes_gravity`): free `wrench` instead"
+            }
+            ParameterKind::CenterOfMass if !robot.motion_pattern.has_rotation() => {
+                "the platform does not turn, so that no moment acts on it: leave it out"
+            }
+            _ => return Ok(()),
+        };
+        Err(ParameterError::NoEffect { kind, reason })
     }
 
     /// True if this kind is free for some cable.
@@ -291,9 +227,8 @@ impl FreeParameters {
         self.check_cables(model)?;
         let composition = model.composition();
         for &(kind, _) in &self.selections {
-            let is_of_equilibrium =
-                matches!(kind, ParameterKind::TensionScale | ParameterKind::TensionOffset | ParameterKind::Wrench);
-            if is_of_equilibrium && explains_tensions {
+            let is_of_sensor = matches!(kind, ParameterKind::TensionScale | ParameterKind::TensionOffset);
+            if (is_of_sensor || kind.is_of_load()) && explains_tensions {
                 continue;
             }
             if let Some(effect) = missing_effect(kind, composition) {
@@ -318,8 +253,8 @@ impl FreeParameters {
     fn check_cables(&self, model: &Model) -> Result<(), ParameterError> {
         let cable_count = model.cable_count();
         for (kind, cables) in &self.selections {
-            if *kind == ParameterKind::Wrench && cables.is_some() {
-                return Err(ParameterError::WrenchOfCable);
+            if kind.is_of_load() && cables.is_some() {
+                return Err(ParameterError::LoadOfCable { kind: *kind });
             }
             if let Some(&cable) = cables.iter().flatten().find(|&&cable| cable >= cable_count) {
                 return Err(ParameterError::NoSuchCable { kind: *kind, cable: cable + 1, cable_count });

@@ -12,8 +12,8 @@ use crate::scalar::cross;
 impl ParameterKind {
     /// True for parameters that only a model with elastic cables and recorded tensions can identify.
     pub(crate) fn needs_elasticity(self) -> bool {
-        let is_of_law = matches!(self, Self::Compliance | Self::HiddenLength | Self::Stretch(_));
-        is_of_law || matches!(self, Self::TensionScale | Self::TensionOffset | Self::Wrench)
+        let is_of_law = matches!(self, Self::Compliance | Self::HiddenLength | Self::LinearDensity | Self::Stretch(_));
+        is_of_law || matches!(self, Self::TensionScale | Self::TensionOffset) || self.is_of_load()
     }
 
     /// True for parameters of an ideal winch, which models without drums have too.
@@ -44,6 +44,7 @@ fn law_parameter(parameter: &Parameter, model: &Model) -> Option<LawParameter> {
         ParameterKind::PulleyRadius => Some(LawParameter::PulleyRadius),
         ParameterKind::Compliance => Some(LawParameter::Compliance),
         ParameterKind::HiddenLength => Some(LawParameter::HiddenLength),
+        ParameterKind::LinearDensity => robot.gravity.map(|gravity| LawParameter::Weight(gravity.into())),
         ParameterKind::Stretch(number) => {
             (model.composition().stretch == number.law().effect).then(|| LawParameter::Stretch(number.place()))
         }

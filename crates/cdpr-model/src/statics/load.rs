@@ -5,7 +5,7 @@ use thiserror::Error;
 
 use crate::geometry::{Pose, Wrench};
 use crate::model::Model;
-use crate::robot::Robot;
+use crate::robot::{Parameter, ParameterKind, Robot};
 
 /// The external load: a constant wrench in world axes, and a weight whose moment turns with the platform.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -77,6 +77,27 @@ impl Load {
         let mut gradient = Matrix6::zeros();
         gradient.fixed_view_mut::<3, 3>(3, 3).copy_from(&moment);
         gradient
+    }
+
+    /// Change of the wrench at a pose per unit of a parameter of the load (world axes, moment about the platform origin); zero for parameters of cables.
+    pub fn by_parameter(&self, robot: &Robot, parameter: &Parameter, pose: &Pose) -> Wrench {
+        let weight_at = |weight: Vector3<f64>, place: Vector3<f64>| {
+            let moment = (pose.rotation * place).cross(&weight);
+            Wrench::new(weight.x, weight.y, weight.z, moment.x, moment.y, moment.z)
+        };
+        let basis = robot.motion_pattern.twist_basis(robot.plane);
+        let is_weighed = robot.external_wrench.as_ref().is_none_or(|external| !external.includes_gravity);
+        match parameter.kind {
+            ParameterKind::Mass if is_weighed => {
+                weight_at(robot.gravity.unwrap_or_else(Vector3::zeros), self.center_of_mass)
+            }
+            ParameterKind::CenterOfMass => {
+                let axis = basis[parameter.axis].fixed_rows::<3>(0).into_owned();
+                weight_at(self.weight, axis) - weight_at(self.weight, Vector3::zeros())
+            }
+            ParameterKind::Wrench => basis[parameter.axis],
+            _ => Wrench::zeros(),
+        }
     }
 
     /// Norm of the constant force plus norm of the weight (N).

@@ -11,7 +11,7 @@ use cdpr_model::robot::{Parameter, ParameterKind};
 const LENGTH_RANGE: f64 = 0.5;
 /// Factor of compliances, up or down.
 const COMPLIANCE_RANGE: f64 = 10.0 / 3.0;
-/// Factor of radii and pitches, up or down.
+/// Factor of radii, pitches and masses, up or down.
 const RADIUS_RANGE: f64 = 1.5;
 /// Change of ratios near 1.
 const RATIO_RANGE: f64 = 0.1;
@@ -87,7 +87,9 @@ impl<'a> Drawing<'a> {
             ParameterKind::PulleyRadius
             | ParameterKind::DrumRadius
             | ParameterKind::DrumPitch
-            | ParameterKind::SpoolBuildUp => Range::Times(RADIUS_RANGE),
+            | ParameterKind::SpoolBuildUp
+            | ParameterKind::LinearDensity
+            | ParameterKind::Mass => Range::Times(RADIUS_RANGE),
             ParameterKind::LengthScale | ParameterKind::TensionScale => Range::Added(RATIO_RANGE),
             ParameterKind::DrumAxis | ParameterKind::SwivelAxis => Range::Added(TURN_RANGE),
             ParameterKind::StartAngle => Range::Added(PI),

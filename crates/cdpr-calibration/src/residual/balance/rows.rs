@@ -8,7 +8,7 @@ use crate::recorded::Recorded;
 use cdpr_model::cable::CableState;
 use cdpr_model::geometry::{Pose, Wrench};
 use cdpr_model::model::Model;
-use cdpr_model::robot::{Parameter, ParameterKind};
+use cdpr_model::robot::Parameter;
 use cdpr_model::scalar::LANES;
 use cdpr_model::statics::Load;
 
@@ -35,16 +35,15 @@ pub(crate) struct RowModel<'a> {
     pub(crate) model: &'a Model,
     pub(crate) load: Load,
     parameters: &'a [Parameter],
-    /// First parameter of each cable; the last entry is the first of the wrench.
+    /// First parameter of each cable; the last entry is the first of the load.
     first: Vec<usize>,
     /// Way of straight, linear cables.
     pub(super) linear: Option<LinearRows>,
 }
 
-/// First column of each cable's parameters; the last entry is that of the wrench.
+/// First column of each cable's parameters; the last entry is that of the load.
 pub(super) fn first_columns(model: &Model, parameters: &[Parameter]) -> Vec<usize> {
-    let is_wrench = |p: &Parameter| p.kind == ParameterKind::Wrench;
-    let before = |cable: usize| parameters.iter().filter(|p| !is_wrench(p) && p.cable < cable).count();
+    let before = |cable: usize| parameters.iter().filter(|p| !p.kind.is_of_load() && p.cable < cable).count();
     (0..=model.cable_count()).map(before).collect()
 }
 
@@ -122,9 +121,7 @@ impl<'a> RowModel<'a> {
             }
         }
         self.write_wrench(&wrench, residual, rows);
-        for column in self.first[m]..self.parameters.len() {
-            rows.entries[self.parameters[column].axis * stride + column] = 1.0;
-        }
+        self.write_load(pose, rows);
     }
 
     /// [`RowModel::write`] with cables in lanes; `None` if they are others, or lengths those of drums.
@@ -141,10 +138,16 @@ impl<'a> RowModel<'a> {
         for (cable, (expected, recorded)) in lengths.iter().zip(measured).enumerate() {
             rows.entries[(6 + cable) * stride + residual] = expected - recorded;
         }
-        for column in self.first[measured.len()]..self.parameters.len() {
-            rows.entries[self.parameters[column].axis * stride + column] = 1.0;
-        }
+        self.write_load(pose, rows);
         Some(())
+    }
+
+    /// Writes the derivatives of the wrench rows by the parameters of the load.
+    fn write_load(&self, pose: &Pose, rows: &mut SampleRows) {
+        for column in self.first[self.model.cable_count()]..self.parameters.len() {
+            let change = self.load.by_parameter(self.model.robot(), &self.parameters[column], pose);
+            self.write_wrench(&change, column, rows);
+        }
     }
 
     /// Writes a wrench (world) to the wrench rows of a column, in the degrees of freedom of the pattern.

@@ -279,6 +279,8 @@ struct Rest<'a> {
     basis: Matrix6<f64>,
     pose: Pose,
     rotation: Matrix3<f64>,
+    /// What the cables balance there; `None` where they only keep their lengths.
+    load: Option<Load>,
     cables: Vec<RestCable>,
     /// K_wx⁻¹: change of the pose, in the directions of the pattern, with a wrench (world); zeros behind them.
     by_wrench: Matrix6<f64>,
@@ -298,7 +300,7 @@ impl<'a> Rest<'a> {
         let basis = Matrix6::from_fn(|row, k| model.twist_basis().get(k).map_or(0.0, |twist| twist[row]));
         let cables = Vec::with_capacity(model.cable_count());
         let (rotation, by_wrench) = (Matrix3::identity(), Matrix6::zeros());
-        Self { model, basis, pose: Pose::identity(), rotation, cables, by_wrench }
+        Self { model, basis, pose: Pose::identity(), rotation, load: None, cables, by_wrench }
     }
 
     /// Comes to rest at a pose with what was recorded there; `None` if it cannot.
@@ -331,7 +333,7 @@ impl<'a> Rest<'a> {
         let mut stiffness = -self.basis.tr_mul(&(by_pose * self.basis));
         (n..6).for_each(|k| stiffness[(k, k)] = 1.0);
         self.by_wrench = stiffness.try_inverse()? * self.basis.transpose();
-        (self.pose, self.rotation) = (*pose, pose.rotation_matrix());
+        (self.pose, self.rotation, self.load) = (*pose, pose.rotation_matrix(), load.copied());
         if load.is_some() {
             self.settle_tensions();
         }
@@ -350,7 +352,10 @@ impl<'a> Rest<'a> {
     fn by_parameter(&self, parameter: &Parameter, recorded: &Recorded<'_>) -> Push {
         let none = Push { wrench: Wrench::zeros(), own_tension: 0.0 };
         match parameter.kind {
-            ParameterKind::Wrench => Push { wrench: self.basis.column(parameter.axis).into_owned(), ..none },
+            kind if kind.is_of_load() => {
+                let by_load = |load: &Load| load.by_parameter(self.model.robot(), parameter, &self.pose);
+                Push { wrench: self.load.as_ref().map_or_else(Wrench::zeros, by_load), ..none }
+            }
             // what is recorded of the tensions moves nothing
             ParameterKind::TensionScale | ParameterKind::TensionOffset => none,
             _ if self.cables[parameter.cable].is_slack => none,
@@ -372,7 +377,7 @@ impl<'a> Rest<'a> {
             ParameterKind::TensionOffset if is_own => return 1.0,
             _ => {}
         }
-        let own = if is_own && parameter.kind != ParameterKind::Wrench { push.own_tension } else { 0.0 };
+        let own = if is_own { push.own_tension } else { 0.0 };
         state.recording.tension_scale * (own + tension_by_wrench.dot(&push.wrench))
     }
 }

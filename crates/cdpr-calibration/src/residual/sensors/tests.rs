@@ -60,7 +60,7 @@ fn derivatives_of_all_rows_are_their_differences() {
     let (internal, at) = measured();
     let free: FreeParameters =
         "frame-anchor,platform-anchor,length-offset,length-scale,pulley-radius,swivel-axis,compliance,\
-                                tension-scale,tension-offset"
+                                tension-scale,tension-offset,mass,center-of-mass"
             .parse()
             .unwrap();
     let parameters = free.parameters(&model, &FreeParameters::default()).unwrap();

@@ -3,7 +3,7 @@
 use super::matrix4::Matrix4;
 use super::{CableLaw, Kind};
 use crate::cable::elasticity::StiffnessBasis;
-use crate::cable::span::Shape;
+use crate::cable::span::{Change, Shape};
 use crate::cable::state::CableState;
 use crate::cable::stretch::Stretch;
 use crate::cable::stretch::hysteresis::Motion;
@@ -20,6 +20,8 @@ pub enum LawParameter {
     Compliance,
     /// q_h (m).
     HiddenLength,
+    /// Weight per unstrained length of a cable that sags: change of it per unit of the parameter (world, N/m per unit), gravity for a linear density.
+    Weight([f64; 3]),
     /// Parameter of the law of stretch with this index, counted from 0.
     Stretch(usize),
 }
@@ -43,7 +45,14 @@ impl CableLaw {
                 let side = Self::chord(&path).map_or(1.0, |chord| chord.side);
                 let evaluation = self.evaluate(shape, &state.span, side);
                 let (end, length) = self.sagging_change(shape, state, parameter, side);
-                self.held_change(state, &evaluation.by_state, end, length)
+                let change = self.held_change(state, &evaluation.by_state, end, length);
+                match parameter {
+                    // the platform carries the weight's whole length less
+                    LawParameter::Weight(weight) => {
+                        LawChange { pull: add(change.pull, scale(state.span.length, weight)), ..change }
+                    }
+                    _ => change,
+                }
             }
             (_, LawParameter::PulleyRadius) => match self.outlet.pulley() {
                 Some(_) => {
@@ -125,6 +134,11 @@ impl CableLaw {
                 (scale(state.length, middle), -frame.outside * ratio * ratio * cable.outlet_tension)
             }
             (LawParameter::HiddenLength, _) => ([0.0; 3], ratio - 1.0),
+            (LawParameter::Weight(weight), _) => {
+                let (_, [end]) =
+                    shape.with_derivatives(state, self.weight, &self.stretch, &[Change::of_weight(weight)]);
+                (end, 0.0)
+            }
             (LawParameter::Stretch(number), _) => {
                 let by_number = self.stretch.strain_by_number(cable.outlet_tension, number);
                 let end = shape.by_stretch_number(state, self.weight, &self.stretch, number);

@@ -247,7 +247,7 @@ impl ParameterKind {
     ]);
 
     /// Kinds that identification may free, in the order of a parameter vector.
-    pub const IDENTIFIED: [Self; 18 + StretchNumber::COUNT] = with_stretch([
+    pub const IDENTIFIED: [Self; 21 + StretchNumber::COUNT] = with_stretch([
         Self::FrameAnchor,
         Self::PlatformAnchor,
         Self::LengthOffset,
@@ -263,8 +263,11 @@ impl ParameterKind {
         Self::StartAngle,
         Self::Compliance,
         Self::HiddenLength,
+        Self::LinearDensity,
         Self::TensionScale,
         Self::TensionOffset,
+        Self::Mass,
+        Self::CenterOfMass,
         Self::Wrench,
     ]);
 
@@ -365,6 +368,11 @@ impl ParameterKind {
     /// True for the anchors, which have a component along each axis of the pattern.
     pub fn is_anchor(self) -> bool {
         matches!(self, Self::FrameAnchor | Self::PlatformAnchor)
+    }
+
+    /// True for numbers of the load on the platform, which belong to no cable.
+    pub fn is_of_load(self) -> bool {
+        matches!(self, Self::Mass | Self::CenterOfMass | Self::Wrench)
     }
 
     /// True for turns of an axis.

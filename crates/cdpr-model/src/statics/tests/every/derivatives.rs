@@ -23,7 +23,8 @@ const RADIUS: usize = 16;
 const COMPLIANCE: usize = 17;
 const HIDDEN: usize = 18;
 const PULLEY_TURN: usize = 19;
-const COUNT: usize = 22;
+const DENSITY: usize = 22;
+const COUNT: usize = 23;
 
 fn variable(value: f64, index: usize) -> Dual {
     Dual::new(value, num_dual::Derivative::some(SVector::<f64, COUNT>::ith(index, 1.0)))
@@ -119,7 +120,9 @@ impl Twin {
         let found = state.span;
         let (force, length) = (vector(found.force.into(), STATE), variable(found.length, STATE + 3));
         let tension = dot(force, force).sqrt();
-        let weight = constants(law.weight);
+        let density = cable.linear_density.unwrap_or(0.0);
+        let gravity = constants(model.robot().gravity.unwrap_or_else(Vector3::zeros).into());
+        let weight = add(constants(law.weight), scale(variable(density, DENSITY) - density, gravity));
         let hidden = variable(law.hidden_length, HIDDEN);
         let mut span = shape.vector(&SpanState { force, length }, weight, &law.stretch);
         let (strain, slope) = law.stretch.strain(tension.re);
@@ -271,8 +274,10 @@ fn check_by_parameters(model: &Model, index: usize, pose: &Pose, state: &CableSt
     let twin = Twin::of(model, index, pose, state);
     let (composition, law) = (model.composition(), model.law(index));
     let total = twin.total(&twin.outlet_tension, &[twin.pull[0], twin.pull[1], twin.pull[2], twin.controlled_length]);
+    let gravity = model.robot().gravity.unwrap_or_else(Vector3::zeros);
     let parameters = [
         (LawParameter::PulleyRadius, RADIUS),
+        (LawParameter::Weight(gravity.into()), DENSITY),
         (LawParameter::Compliance, COMPLIANCE),
         (LawParameter::HiddenLength, HIDDEN),
         (LawParameter::PulleyTurn([1.0, 0.0, 0.0]), PULLEY_TURN),
