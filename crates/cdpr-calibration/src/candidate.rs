@@ -6,7 +6,9 @@ use std::str::FromStr;
 use thiserror::Error;
 
 use crate::fit::Prior;
+use crate::residual::balance::start::follow_from_statics;
 use cdpr_model::cable::elasticity::linear_elasticity;
+use cdpr_model::measurement::Samples;
 use cdpr_model::model::{Composition, CompositionError, FreeParameters, Model, ParameterError, SpanEffect};
 use cdpr_model::robot::{ParameterKind, Robot};
 
@@ -82,10 +84,33 @@ pub fn parse_list(text: &str) -> Result<Vec<Candidate>, CandidateError> {
 /// Conditions that decide which rungs the default ladder has.
 #[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
 pub struct Ladder {
-    /// The data have recorded tensions: elastic models join where the robot's file states stiffness.
-    pub with_tensions: bool,
+    /// How tensions are known: elastic models join where they are and the robot's file states stiffness.
+    pub tensions: KnownTensions,
     /// Platform anchors that may be free.
     pub platform_anchors: PlatformAnchors,
+}
+
+/// How the tensions of samples are known.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub enum KnownTensions {
+    /// Not at all.
+    #[default]
+    Unknown,
+    /// By recorded columns.
+    Recorded,
+    /// By the known load that no more cables than degrees of freedom hold; the load is not free then.
+    ByStatics,
+}
+
+impl KnownTensions {
+    /// Those of samples of a robot.
+    pub fn of(robot: &Robot, samples: &Samples) -> Self {
+        match Model::new(robot.clone(), Composition::STANDARD) {
+            _ if samples.tensions.is_some() => Self::Recorded,
+            Ok(model) if follow_from_statics(&model, samples) => Self::ByStatics,
+            _ => Self::Unknown,
+        }
+    }
 }
 
 /// Rungs of the default ladder that free platform anchors.
@@ -145,7 +170,7 @@ pub fn defaults(robot: &Robot, ladder: Ladder) -> Vec<Candidate> {
         &[FrameAnchor, PlatformAnchor, Compliance, Wrench],
         &[FrameAnchor, PlatformAnchor, LengthOffset, Compliance, Wrench],
     ];
-    let candidate = |composition, free| Candidate { composition, free: FreeParameters::of(free) };
+    let candidate = |composition, free: &[ParameterKind]| Candidate { composition, free: FreeParameters::of(free) };
     let is_held = |free: &[ParameterKind], is_elastic: bool| {
         let may_be_free = match ladder.platform_anchors {
             PlatformAnchors::Held => false,
@@ -162,11 +187,14 @@ pub fn defaults(robot: &Robot, ladder: Ladder) -> Vec<Candidate> {
         rungs.push(candidate(Composition::STANDARD, standard));
         rungs.extend(pulley.iter().filter(|_| has_pulleys).map(|free| candidate(Composition::PULLEY, free)));
     }
-    if ladder.with_tensions && is_elastic {
+    if ladder.tensions != KnownTensions::Unknown && is_elastic {
         for free in elastic {
             if is_held(free, true) {
                 continue;
             }
+            let is_free = |kind: &&ParameterKind| ladder.tensions == KnownTensions::Recorded || **kind != Wrench;
+            let free: Vec<ParameterKind> = free.iter().filter(is_free).copied().collect();
+            let free = free.as_slice();
             rungs.push(candidate(Composition::ELASTIC, free));
             rungs.extend(has_pulleys.then(|| candidate(Composition::PULLEY_ELASTIC, free)));
             // a cable that weighs something is worth one try for each set of parameters, over pulleys where there are any
@@ -193,7 +221,7 @@ mod tests {
     #[test]
     fn platform_anchors_are_free_where_they_have_a_prior() {
         let robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
-        let rungs = |platform_anchors| defaults(&robot, Ladder { with_tensions: true, platform_anchors });
+        let rungs = |platform_anchors| defaults(&robot, Ladder { tensions: KnownTensions::Recorded, platform_anchors });
         let freeing = |platform_anchors| -> Vec<String> {
             let rungs = rungs(platform_anchors).into_iter();
             let frees = rungs.filter(|candidate| candidate.free.names(ParameterKind::PlatformAnchor));

@@ -32,6 +32,7 @@ impl ErrorCode for fit::InputError {
             Self::ShiftOfAngles { .. } => "parameter::shift-of-angles",
             Self::NoFrames { .. } => "data::no-frames",
             Self::MarkerOfPoint => "parameter::marker-of-point",
+            Self::FramesOfNothing { .. } => "parameter::frames-of-nothing",
             Self::CableCount { .. } => "data::cable-count",
             Self::TooFewSamples { .. } | Self::TooFewRows { .. } | Self::TooFewEquations { .. } => {
                 "data::too-few-samples"

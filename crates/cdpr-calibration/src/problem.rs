@@ -50,7 +50,7 @@ impl<'a> Problem<'a> {
         parameters: &'a [Parameter],
         settings: &'a Settings,
     ) -> Result<Self, InputError> {
-        let tensions = samples.tensions.as_deref().unwrap_or_default();
+        let tensions = samples.tensions.as_deref().or(residual.tensions()).unwrap_or_default();
         let model = residual.model();
         let scales = || joint_scales(model, parameters, &samples.lengths, tensions);
         let unknowns = Unknowns {

@@ -34,7 +34,7 @@ use thiserror::Error;
 pub use warnings::Warnings;
 pub use without_poses::select_without_poses;
 
-use super::candidate::Candidate;
+use super::candidate::{Candidate, KnownTensions};
 use super::clock_test::clock_warning;
 use super::findings::{Examined, findings};
 use super::fit::{self, Prior, frames_that_fit};
@@ -216,7 +216,8 @@ pub fn select(
     if selection.findings.iter().all(|finding| finding.explains.is_none()) {
         selection.test_clock(samples, &settings.fit);
     }
-    selection.untried = untried::untried(robot, &candidates, samples.tensions.is_some());
+    selection.untried =
+        untried::untried(robot, &candidates, KnownTensions::of(robot, samples) != KnownTensions::Unknown);
     selection.frames = frames;
     selection.clock = clock;
     selection.assumed.clone_from(&settings.assumed);

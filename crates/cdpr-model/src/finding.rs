@@ -91,6 +91,8 @@ kinds! {
     Outlier = "outlier", "finding::outlier",
     /// A sensor whose column does not fit the others.
     Sensor = "sensor", "finding::sensor",
+    /// Candidates that could not be judged.
+    Candidate = "candidate", "finding::candidate",
 }
 
 impl fmt::Display for FindingKind {

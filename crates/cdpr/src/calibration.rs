@@ -15,7 +15,7 @@ pub mod candidate {
 
     #[doc(inline)]
     pub use cdpr_calibration::candidate::{
-        Candidate, CandidateError, Ladder, PlatformAnchors, assumed_prior, defaults,
+        Candidate, CandidateError, KnownTensions, Ladder, PlatformAnchors, assumed_prior, defaults,
     };
 }
 

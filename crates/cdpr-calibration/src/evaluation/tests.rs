@@ -40,6 +40,7 @@ fn suspended(mass: Option<f64>) -> Robot {
         cables: (0..4).map(cable).collect(),
         reference_checks: vec![],
         calibration: None,
+        tracked: None,
         obstacles: vec![],
     }
 }

@@ -34,6 +34,14 @@ pub enum InputError {
         /// Poses needed.
         needed: usize,
     },
+    /// A frame of a record that tells nothing of poses.
+    #[error(
+        "`{name}` is free, but the record has no component of a pose in which it shows: leave it out, or record positions (x_m, y_m, z_m) or orientations"
+    )]
+    FramesOfNothing {
+        /// The frame.
+        name: &'static str,
+    },
     /// The marker of a platform without orientation.
     #[error(
         "`marker-frame` is free, but a point platform does not turn, so that its marker is nowhere else than the tracker's world is: free \
@@ -122,7 +130,7 @@ pub enum InputError {
     },
     /// An elastic model without recorded tensions.
     #[error(
-        "identifying an elastic model needs recorded tensions: add the columns tension_N_1, tension_N_2, … to the data, or choose a \
+        "identifying an elastic model needs tensions, which statics tells only of a known load on no more cables than degrees of freedom: add the columns tension_N_1, tension_N_2, … to the data, or choose a \
          model without `elastic`"
     )]
     NoTensions,

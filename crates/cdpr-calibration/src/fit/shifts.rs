@@ -178,7 +178,7 @@ fn with_offsets(base: &[Parameter], shifts: &[ShiftEstimate]) -> Vec<Parameter> 
     for estimate in shifts {
         let offset = offset_of(estimate.shift.cable);
         if !all.contains(&offset) {
-            let is_behind = |own: &Parameter| own.cable > offset.cable || own.kind.is_of_load();
+            let is_behind = |own: &Parameter| own.cable > offset.cable || !own.kind.is_of_cable();
             let place = all.iter().position(is_behind).unwrap_or(all.len());
             all.insert(place, offset);
         }

@@ -96,6 +96,11 @@ pub(crate) trait Residual {
         None
     }
 
+    /// Tensions that the rows are about, recorded or told by statics (N); `None` for rows of lengths or poses alone.
+    fn tensions(&self) -> Option<&[f64]> {
+        None
+    }
+
     /// Metres that are one unit of the rows; `None` where these are standard deviations of several quantities.
     fn unit(&self) -> Option<f64> {
         None

@@ -28,7 +28,10 @@ pub(super) fn untried(robot: &Robot, candidates: &[Candidate], has_tensions: boo
         let is_of = |of: Composition| missing_effect(*kind, of).is_none() && is_read(of);
         candidates.iter().any(|candidate| is_of(candidate.composition))
     };
-    let kinds = ParameterKind::IDENTIFIED.into_iter().filter(|kind| belongs(kind) && !frees(kind));
+    // a free wrench is the whole load
+    let repeats_wrench = |kind: &ParameterKind| kind.is_of_load() && frees(&ParameterKind::Wrench);
+    let is_untried = |kind: &ParameterKind| belongs(kind) && !frees(kind) && !repeats_wrench(kind);
+    let kinds = ParameterKind::IDENTIFIED.into_iter().filter(is_untried);
     let kinds: Vec<String> = kinds.map(|kind| format!("`{kind}`")).collect();
     if !kinds.is_empty() {
         words.push(format!("{} as free parameters", kinds.join(", ")));

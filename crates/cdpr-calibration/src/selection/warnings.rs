@@ -6,7 +6,7 @@ use crate::fit::{Estimate, Fit, Prior};
 use crate::outliers::set_aside_warning;
 use crate::plausibility::Distrust;
 use crate::verdict::{Doubt, DoubtKind, Verdict};
-use cdpr_model::finding::{Finding, Severity};
+use cdpr_model::finding::{Finding, FindingKind, Severity};
 use cdpr_model::measurement::{Samples, three_digits};
 
 /// Warnings in the order in which they are told: doubts about the outcome itself, which stand before it, then remarks about data and fit.
@@ -126,6 +126,7 @@ impl Selection {
         of_data.doubt(DoubtKind::Frames, self.frames.clone());
         of_data.doubt(DoubtKind::Clocks, self.clock.clone());
         of_data.doubts.extend(self.findings.iter().cloned().map(Doubt::from));
+        of_data.doubts.extend(self.failed().map(Doubt::from));
         of_data.doubts.extend(self.unsound(judgement));
         for prior in &self.assumed {
             of_data.doubt(DoubtKind::Prior, beyond(prior, &judgement.fit));
@@ -137,6 +138,16 @@ impl Selection {
 }
 
 impl Selection {
+    /// Candidates that could not be judged, in one finding; `None` if all were.
+    fn failed(&self) -> Option<Finding> {
+        let failures = || self.candidates.iter().filter_map(|one| Some((&one.name, one.outcome.as_ref().err()?)));
+        let (name, reason) = failures().next()?;
+        let (count, all) = (failures().count(), self.candidates.len());
+        let others = if count > 1 { format!(" and {} others", count - 1) } else { String::new() };
+        let words = format!("{count} of {all} candidates could not be judged, `{name}`{others}: {reason}");
+        Some(Finding::new(FindingKind::Candidate, Severity::Caution, words))
+    }
+
     /// The reason why nobody should rely on a candidate, with the best one that is sound beside it.
     fn unsound(&self, judgement: &Judgement) -> Option<Doubt> {
         let finding = judgement.unsound.clone()?;

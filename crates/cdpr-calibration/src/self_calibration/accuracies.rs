@@ -83,7 +83,8 @@ fn sensor_of(fit: &SensorFit) -> Sensor {
     match fit.sensor {
         "tension" => Sensor::Tension,
         "swivel" => Sensor::Swivel,
-        "rotation" => Sensor::Pose,
+        "position" => Sensor::Position,
+        "rotation" => Sensor::Rotation,
         _ => Sensor::Length,
     }
 }

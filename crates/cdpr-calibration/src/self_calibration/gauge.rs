@@ -3,6 +3,7 @@
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::equations::Equation;
+use super::partial_poses::moved_component;
 use crate::gauge_convention::GaugeConvention;
 use crate::residual::rows::Rows;
 use cdpr_model::geometry::Twist;
@@ -39,6 +40,12 @@ pub struct GaugeFixing {
     pub held: Vec<String>,
     /// True where lengths count from their values at the world's origin.
     pub at_origin: bool,
+}
+
+/// A shift and a turn about an origin.
+pub(super) struct Rigid {
+    pub(super) shift: Vector3<f64>,
+    pub(super) turn: Vector3<f64>,
 }
 
 /// Gauge of free parameters.
@@ -171,15 +178,25 @@ fn unseen(seen: DMatrix<f64>) -> DMatrix<f64> {
 /// Shifts and turns of the world and of the platform's frame, and a change of size, where they move a free parameter.
 fn motions(model: &Model, parameters: &[Parameter]) -> Vec<Motion> {
     let is_scaled = parameters.iter().any(|parameter| parameter.kind == ParameterKind::LengthScale);
-    let mut all = Vec::new();
+    let (mut all, mut apart) = (Vec::new(), Apart::default());
     let mut push = |name: String, change: &dyn Fn(&Parameter) -> f64| {
         let changes = DVector::from_iterator(parameters.len(), parameters.iter().map(change));
         if changes.norm() > 0.0 {
             let grows_residuals = name == SIZE && !is_scaled;
+            // a few numbers move alike by several motions: the first of them is enough
+            if name != SIZE && !apart.add(&changes) {
+                return;
+            }
             all.push(Motion { name, changes, grows_residuals });
         }
     };
     let robot = model.robot();
+    let frames = robot.tracked.unwrap_or_default();
+    let of_frame = |parameter: &Parameter, shift: &Vector3<f64>, turn: &Vector3<f64>| {
+        let frame = if parameter.kind == ParameterKind::TrackerFrame { &frames.tracker } else { &frames.marker };
+        let motion = Rigid { shift: *shift, turn: *turn };
+        robot.frame_component(parameter.axis).map_or(0.0, |component| moved_component(frame, &component, &motion))
+    };
     let axis_of = |parameter: &Parameter| model.axes().get(parameter.axis).copied().unwrap_or_else(Vector3::zeros);
     let places: [(&str, ParameterKind); 2] =
         [("", ParameterKind::FrameAnchor), (" of the platform's frame", ParameterKind::PlatformAnchor)];
@@ -196,6 +213,10 @@ fn motions(model: &Model, parameters: &[Parameter]) -> Vec<Motion> {
             let of_world = kind == ParameterKind::FrameAnchor && is_turn;
             let center = robot.platform.center_of_mass.unwrap_or_else(Vector3::zeros);
             push(name, &|parameter| match parameter.kind {
+                ParameterKind::TrackerFrame if kind == ParameterKind::FrameAnchor => of_frame(parameter, &shift, &turn),
+                ParameterKind::MarkerFrame if kind == ParameterKind::PlatformAnchor => {
+                    of_frame(parameter, &shift, &turn)
+                }
                 ParameterKind::CenterOfMass if kind == ParameterKind::PlatformAnchor => {
                     (shift + turn.cross(&center)).dot(&axis_of(parameter))
                 }
@@ -210,9 +231,10 @@ fn motions(model: &Model, parameters: &[Parameter]) -> Vec<Motion> {
         if kind == ParameterKind::FrameAnchor && model.dof() == model.axes().len() {
             // a point turns with the world
             for (name, turn) in turns_of_points(model) {
-                push(format!("turn about {name}"), &|parameter| match parameter.kind == kind {
-                    true => turn.cross(&anchor(parameter)).dot(&axis_of(parameter)),
-                    false => 0.0,
+                push(format!("turn about {name}"), &|parameter| match parameter.kind {
+                    own if own == kind => turn.cross(&anchor(parameter)).dot(&axis_of(parameter)),
+                    ParameterKind::TrackerFrame => of_frame(parameter, &Vector3::zeros(), &turn),
+                    _ => 0.0,
                 });
             }
         }
@@ -233,6 +255,26 @@ fn motions(model: &Model, parameters: &[Parameter]) -> Vec<Motion> {
         _ => 0.0,
     });
     all
+}
+
+/// Orthonormal directions of the changes so far.
+#[derive(Default)]
+struct Apart(Vec<DVector<f64>>);
+
+impl Apart {
+    /// Adds changes; false where those before them add up to them.
+    fn add(&mut self, changes: &DVector<f64>) -> bool {
+        let mut left = changes.clone();
+        // twice is enough for right angles to rounding
+        for direction in self.0.iter().chain(&self.0) {
+            left -= direction * direction.dot(&left);
+        }
+        let is_new = left.norm() > SAME * changes.norm();
+        if is_new {
+            self.0.push(left.normalize());
+        }
+        is_new
+    }
 }
 
 fn is_turn(twist: &Twist) -> bool {

@@ -90,8 +90,8 @@ impl At<'_, '_> {
         let numbers = held.iter().flat_map(|held| held.numbers.iter().map(|number| (number.clone(), held.sigma)));
         let mut parameters: Vec<Parameter> = self.question.parameters.clone();
         parameters.extend(held.iter().flat_map(|held| held.numbers.iter().flatten().map(|(parameter, _)| *parameter)));
-        // rows stand by cables
-        parameters.sort_unstable();
+        // rows stand by cables, behind them load and recording
+        parameters.sort_unstable_by_key(|parameter| (!parameter.kind.is_of_cable(), *parameter));
         parameters.dedup();
         let lengths = &self.question.internal.samples.lengths;
         let metres = joint_scales(self.model, &parameters, lengths, self.question.tensions());

@@ -4,15 +4,15 @@ use super::equations::Equation;
 use super::found::modelled_length;
 use super::gauge::Gauge;
 use super::internal::Sensing;
+use super::partial_poses::{frame_parameters, with_frames};
 use crate::fit::{
-    ASSUMED_NOISE, InputError, Settings, check_motor_angles, check_question, check_recording, checked_parameters,
-    prior_sigma,
+    ASSUMED_NOISE, InputError, Settings, check_motor_angles, check_question, checked_parameters, prior_sigma,
 };
 use crate::gauge_convention::GaugeConvention;
 use crate::residual::balance::start::with_constant_wrench;
 use crate::residual::sensors::{SensorLayout, Swivel, Weights};
 use cdpr_model::measurement::{InternalSamples, Samples};
-use cdpr_model::model::{FreeParameters, Model, ParameterError};
+use cdpr_model::model::{FreeParameters, Model, ParameterError, RecordingParameter};
 use cdpr_model::robot::{Parameter, ParameterKind};
 use cdpr_model::statics::Load;
 
@@ -76,6 +76,7 @@ pub(super) fn sensing(model: &Model, internal: &InternalSamples, asked: Forces) 
     let holding = || Load::of(model.robot()).map_or(0.0, |load| load.force() / model.cable_count() as f64);
     let typical = samples.tensions.as_deref().map_or_else(holding, mean);
     let weights = Weights::new(model, &samples.sigmas, typical);
+    let weights = if model.robot().tracked.is_some() { weights.of_tracker() } else { weights };
     let layout = SensorLayout::of(model, internal, balances, &weights);
     match layout.has_only_lengths() {
         true => Sensing::Lengths(samples.sigmas.length.filter(|sigma| *sigma > 0.0).unwrap_or(ASSUMED_NOISE)),
@@ -118,7 +119,9 @@ impl<'a> Question<'a> {
         free: &FreeParameters,
         settings: &'a Settings,
     ) -> Result<Self, InputError> {
-        check_recording(free, settings)?;
+        let freed = Self::freed_frames(model, internal, free, settings)?;
+        let model = &with_frames(model, internal, &freed)?;
+        let free = &free.without_recording(&RecordingParameter::FRAMES);
         check_question(model, &internal.samples, settings)?;
         check_swivels(model, internal)?;
         let sensing = sensing(model, internal, Forces::of(free, &settings.hold, internal));
@@ -128,10 +131,11 @@ impl<'a> Question<'a> {
             return Err(no_equation_left(model, &sensing));
         }
         let balances = matches!(&sensing, Sensing::All(layout, _) if layout.balances());
-        let parameters = match sensing {
+        let mut parameters = match sensing {
             Sensing::Lengths(_) => checked_parameters(model, &internal.samples, free, settings)?,
             Sensing::All(..) => free.parameters_with(model, &settings.hold, balances)?,
         };
+        parameters.extend(frame_parameters(model, internal, &freed));
         check_motor_angles(&parameters, &internal.samples)?;
         check_masses(&parameters, internal)?;
         let (model, internal) = (model.clone(), internal.clone());

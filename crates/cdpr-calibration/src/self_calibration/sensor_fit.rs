@@ -8,7 +8,7 @@ use crate::residual::sensors::Sensor;
 /// Residuals of one sensor.
 #[derive(Clone, Debug, PartialEq)]
 pub struct SensorFit {
-    /// `length`, `tension`, `swivel` or `rotation`.
+    /// `length`, `tension`, `swivel`, `position` or `rotation`.
     pub sensor: &'static str,
     /// Unit of the deviations: m, N or rad.
     pub unit: &'static str,
@@ -48,7 +48,8 @@ impl Question<'_> {
         let told = |(sensor, name, unit): (Sensor, &'static str, &'static str)| {
             let sigma = weights.sigma(sensor)?;
             // parts of poses that are not measured have leverages and residuals of zero, and no derivative
-            let is_row = |row: &usize| sensor != Sensor::Pose || end.leverages[*row] > 0.0;
+            let is_row =
+                |row: &usize| !matches!(sensor, Sensor::Position | Sensor::Rotation) || end.leverages[*row] > 0.0;
             let rows: Vec<usize> = layout.places(sensor, samples).filter(is_row).collect();
             let squares: f64 = rows.iter().map(|row| end.rows.residuals[*row].powi(2)).sum();
             let redundancy = rows.iter().map(|row| 1.0 - leverages[*row]).sum::<f64>().max(0.0);
@@ -79,11 +80,12 @@ impl Question<'_> {
 pub(super) const LENGTH: &str = "length";
 
 /// Sensors with their names and units.
-pub(super) const SENSORS: [(Sensor, &str, &str); 4] = [
+pub(super) const SENSORS: [(Sensor, &str, &str); 5] = [
     (Sensor::Length, LENGTH, "m"),
     (Sensor::Tension, "tension", "N"),
     (Sensor::Swivel, "swivel", "rad"),
-    (Sensor::Pose, "rotation", "rad"),
+    (Sensor::Position, "position", "m"),
+    (Sensor::Rotation, "rotation", "rad"),
 ];
 
 /// Doubts about stated accuracies.

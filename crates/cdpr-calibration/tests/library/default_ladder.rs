@@ -1,7 +1,7 @@
 //! The default ladder finds the machine that is there: its platform, its recording, and no dirt in clean data.
 
 use super::support::simulator;
-use cdpr_calibration::candidate::{Ladder, PlatformAnchors, assumed_prior, defaults};
+use cdpr_calibration::candidate::{KnownTensions, Ladder, PlatformAnchors, assumed_prior, defaults};
 use cdpr_calibration::selection::{Selection, Settings, select};
 use cdpr_calibration::{fit, unobserved};
 use cdpr_model::geometry::{Pose, Twist};
@@ -20,7 +20,7 @@ const SIGMA: f64 = 1e-3;
 fn selected(robot: &Robot, samples: &Samples) -> Selection {
     let model = Model::new(robot.clone(), Composition::STANDARD).unwrap();
     let assumed = assumed_prior(&model).unwrap();
-    let ladder = Ladder { with_tensions: samples.tensions.is_some(), platform_anchors: PlatformAnchors::Elastic };
+    let ladder = Ladder { tensions: KnownTensions::of(robot, samples), platform_anchors: PlatformAnchors::Elastic };
     let settings = Settings {
         fit: fit::Settings { priors: vec![assumed], ..fit::Settings::default() },
         assumed: vec![assumed],

@@ -5,7 +5,7 @@ mod objectives;
 
 use std::time::Instant;
 
-use cdpr_calibration::candidate::{self, Candidate, CandidateError, Ladder, PlatformAnchors};
+use cdpr_calibration::candidate::{self, Candidate, CandidateError, KnownTensions, Ladder, PlatformAnchors};
 use cdpr_calibration::fit::{self, Prior};
 use cdpr_calibration::selection::{
     JudgedCandidate, Requirement, SelectionCriterion, Settings, fit_count, select, select_without_poses,
@@ -126,14 +126,15 @@ impl SelectionArguments {
         let has_prior = |prior: &Prior| prior.kind == ParameterKind::PlatformAnchor;
         let is_given = self.prior.iter().any(has_prior);
         let model = Model::new(data.robot.clone(), Composition::STANDARD).ok();
-        let with_tensions = data.samples.tensions.is_some();
-        let assumed = model.and_then(|model| candidate::assumed_prior(&model)).filter(|_| with_tensions && !is_given);
+        let tensions = KnownTensions::of(&data.robot, &data.samples);
+        let is_elastic = tensions != KnownTensions::Unknown;
+        let assumed = model.and_then(|model| candidate::assumed_prior(&model)).filter(|_| is_elastic && !is_given);
         let platform_anchors = match assumed {
             _ if is_given => PlatformAnchors::Free,
             Some(_) => PlatformAnchors::Elastic,
             None => PlatformAnchors::Held,
         };
-        (candidate::defaults(&data.robot, Ladder { with_tensions, platform_anchors }), assumed)
+        (candidate::defaults(&data.robot, Ladder { tensions, platform_anchors }), assumed)
     }
 
     /// Identifies and judges every candidate.

@@ -54,6 +54,7 @@ fn robot_of(cables: Vec<Cable>) -> Robot {
         cables,
         reference_checks: vec![],
         calibration: None,
+        tracked: None,
         obstacles: vec![],
     }
 }

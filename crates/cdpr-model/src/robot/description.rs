@@ -6,7 +6,7 @@ use cdpr_core::cable::elasticity::StiffnessBasis;
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::{Assumption, Axis, CableStiffness, CableWinch, HysteresisTable, Obstacle, Pulley, Source};
+use super::{Assumption, Axis, CableStiffness, CableWinch, HysteresisTable, Obstacle, Pulley, Source, TrackedFrames};
 use crate::geometry::{MotionPattern, Plane, Pose, Wrench};
 
 /// A cable robot as its file describes it. A number that the file does not state is `None`: unknown, never zero.
@@ -46,6 +46,8 @@ pub struct Robot {
     pub reference_checks: Vec<ReferenceCheck>,
     /// Calibration that the numbers come from.
     pub calibration: Option<Calibration>,
+    /// Frames of the recording that a calibration found them with; no part of the robot file.
+    pub tracked: Option<TrackedFrames>,
 }
 
 /// Calibration that a robot's numbers come from.

@@ -31,6 +31,7 @@ pub mod stretch;
 mod surroundings;
 #[cfg(feature = "files")]
 mod surroundings_reading;
+mod tracked;
 mod winch;
 #[cfg(feature = "files")]
 mod winch_reading;
@@ -51,6 +52,7 @@ pub use source::{PublishedErrors, Source};
 pub use stretch::registry::{LAWS, Law, LawNumber, StretchEffect, StretchNumber};
 pub use stretch::{HysteresisTable, StretchError, TRANSITION_LIMIT};
 pub use surroundings::{Obstacle, ObstacleShape};
+pub use tracked::{Component, Frame, TrackedFrames};
 pub use winch::{CableWinch, DrumSide, Groove, GrooveEnds};
 
 #[cfg(feature = "files")]

@@ -98,6 +98,7 @@ impl Reader<'_> {
             cables,
             reference_checks: file.reference_check,
             calibration: file.calibration,
+            tracked: None,
         })
     }
 

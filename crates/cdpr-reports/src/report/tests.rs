@@ -64,6 +64,7 @@ fn robot(name: &str, motion_pattern: MotionPattern, cables: Vec<Cable>) -> Robot
         cables,
         reference_checks: vec![],
         calibration: None,
+        tracked: None,
         obstacles: vec![],
     }
 }

@@ -4,7 +4,7 @@
 //! Readers refuse most of these; programs that build a robot in memory do not pass through a reader.
 
 use super::support::{builtin, operate, simulator, with_pulleys};
-use cdpr::calibration::candidate::{Ladder, PlatformAnchors, defaults};
+use cdpr::calibration::candidate::{KnownTensions, Ladder, PlatformAnchors, defaults};
 use cdpr::calibration::fit::Prior;
 use cdpr::calibration::selection::{self, select};
 use cdpr::calibration::unobserved;
@@ -267,7 +267,7 @@ fn learn(model: &Model, input: &Input, pose: &Pose, sigmas: &[f64; 4]) {
             let _ = fit::fit(model, &samples, &free, &settings);
         }
     }
-    let ladder = Ladder { with_tensions: true, platform_anchors: PlatformAnchors::Free };
+    let ladder = Ladder { tensions: KnownTensions::Recorded, platform_anchors: PlatformAnchors::Free };
     let candidates: Vec<_> = defaults(model.robot(), ladder).into_iter().step_by(3).collect();
     if let Ok(folds) = Split::Blocks(2).folds(&samples, 1) {
         let settings = selection::Settings { fit: settings, ..selection::Settings::default() };

@@ -23,3 +23,4 @@ pub use estimate::{FrameEstimate, Gauge, RecordingFrames};
 pub use joint::frame_warning;
 pub(super) use joint::{fit, freed};
 pub(crate) use need::frames_that_fit;
+pub(crate) use start::start_by_positions;

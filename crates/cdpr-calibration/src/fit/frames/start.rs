@@ -1,6 +1,6 @@
 //! Frames to start from, in closed form: poses that the recorded lengths give, against those that the tracker gives.
 
-use nalgebra::{Matrix3, Vector3};
+use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
 use super::poses::Frames;
 use crate::fit::InputError;
@@ -10,6 +10,7 @@ use cdpr_model::geometry::nearest_rotation;
 use cdpr_model::geometry::{Pose, inverse, product};
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::{Composition, Model, RecordingParameter, SpanEffect, StretchEffect};
+use cdpr_model::robot::{Frame, TrackedFrames};
 
 /// Most poses that a start is made from, and the fewest.
 const MOST: usize = 100;
@@ -24,6 +25,26 @@ type Pair = (Pose, Pose);
 
 /// The free frames that bring the measured poses nearest to those that the model has at the recorded lengths.
 pub(super) fn start(model: &Model, samples: &Samples, freed: &[RecordingParameter]) -> Result<Frames, InputError> {
+    found(model, samples, freed, true)
+}
+
+/// The same by measured positions alone, whose orientations mean nothing: the marker's axes are those of the platform.
+pub(crate) fn start_by_positions(
+    model: &Model,
+    samples: &Samples,
+    freed: &[RecordingParameter],
+) -> Result<TrackedFrames, InputError> {
+    let frames = found(model, samples, freed, false)?;
+    let marker = Frame { position: frames.marker.position, ..Frame::default() };
+    Ok(TrackedFrames { tracker: Frame::of(&frames.tracker), marker })
+}
+
+fn found(
+    model: &Model,
+    samples: &Samples,
+    freed: &[RecordingParameter],
+    has_orientations: bool,
+) -> Result<Frames, InputError> {
     if freed.contains(&RecordingParameter::MarkerFrame) && !model.robot().motion_pattern.has_rotation() {
         return Err(InputError::MarkerOfPoint);
     }
@@ -33,8 +54,12 @@ pub(super) fn start(model: &Model, samples: &Samples, freed: &[RecordingParamete
         if pairs.len() < FEWEST {
             return Err(InputError::NoFrames { poses: pairs.len(), needed: FEWEST });
         }
-        frames = aligned(model, &pairs, freed);
-        let distance = |(measured, given): &Pair| (frames.platform(measured).position - given.position).norm();
+        frames = aligned(model, &pairs, freed, has_orientations);
+        // of a position alone the platform's orientation is that of its cables
+        let distance = |(measured, given): &Pair| {
+            let seen = frames.tracker.transform(&measured.position);
+            (seen - if frames.turns { given.transform(&frames.marker.position) } else { given.position }).norm()
+        };
         let limit = FAR * median(&mut pairs.iter().map(distance).collect::<Vec<f64>>());
         pairs.retain(|pair| distance(pair) <= limit.max(f64::MIN_POSITIVE));
     }
@@ -70,7 +95,7 @@ fn pairs(model: &Model, samples: &Samples) -> Result<Vec<Pair>, InputError> {
 }
 
 /// Each frame by the other in turn, in closed form.
-fn aligned(model: &Model, pairs: &[Pair], freed: &[RecordingParameter]) -> Frames {
+fn aligned(model: &Model, pairs: &[Pair], freed: &[RecordingParameter], has_orientations: bool) -> Frames {
     let [frees_tracker, frees_marker] = RecordingParameter::FRAMES.map(|frame| freed.contains(&frame));
     let robot = model.robot();
     let normal = robot.motion_pattern.is_planar().then(|| robot.plane.normal());
@@ -79,11 +104,14 @@ fn aligned(model: &Model, pairs: &[Pair], freed: &[RecordingParameter]) -> Frame
         let before = frames;
         if frees_tracker {
             // until something is known of the marker its orientation says nothing
-            let by_rotation = frames.turns && (round > 0 || !frees_marker);
+            let by_rotation = has_orientations && frames.turns && (round > 0 || !frees_marker);
             frames.tracker = tracker(pairs, &frames, by_rotation, normal);
         }
         if frees_marker {
             frames.marker = marker(pairs, &frames);
+            if !has_orientations {
+                frames.marker.rotation = UnitQuaternion::identity();
+            }
         }
         if !(frees_tracker && frees_marker) || frames == before {
             break;

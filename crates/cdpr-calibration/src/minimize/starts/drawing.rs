@@ -17,6 +17,8 @@ const RADIUS_RANGE: f64 = 1.5;
 const RATIO_RANGE: f64 = 0.1;
 /// Turn of axes (rad).
 const TURN_RANGE: f64 = 0.2;
+/// Way and turn of a recording's frames, which closed forms bring near (m, rad).
+const FRAME_RANGE: f64 = 0.05;
 /// Share of the mean tension by which forces change.
 const TENSION_RANGE: f64 = 0.5;
 /// Standard deviations of a prior.
@@ -93,6 +95,7 @@ impl<'a> Drawing<'a> {
             ParameterKind::LengthScale | ParameterKind::TensionScale => Range::Added(RATIO_RANGE),
             ParameterKind::DrumAxis | ParameterKind::SwivelAxis => Range::Added(TURN_RANGE),
             ParameterKind::StartAngle => Range::Added(PI),
+            kind if kind.is_of_recording() => Range::Added(FRAME_RANGE),
             ParameterKind::SwivelOffset => Range::Added(PI / 4.0),
             ParameterKind::TensionOffset | ParameterKind::Wrench => Range::Added(TENSION_RANGE * self.tension),
             _ => Range::Added(LENGTH_RANGE),

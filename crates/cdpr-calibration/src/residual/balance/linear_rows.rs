@@ -57,7 +57,7 @@ impl LinearRows {
             return None;
         }
         let of_cable = |(column, parameter): (usize, &Parameter)| Some((column, parameter.cable, slot(parameter)?));
-        let is_own = |(_, parameter): &(usize, &Parameter)| !parameter.kind.is_of_load();
+        let is_own = |(_, parameter): &(usize, &Parameter)| parameter.kind.is_of_cable();
         let columns = parameters.iter().enumerate().filter(is_own).map(of_cable).collect::<Option<Vec<_>>>()?;
         // groups of cables take the columns in turn
         if !columns.is_sorted_by_key(|(_, cable, _)| *cable) {

@@ -19,8 +19,9 @@ pub(super) fn sigmas(samples: &Samples, mean_tension: f64) -> (Sigmas, bool) {
         rotation: stated.rotation.unwrap_or(0.0),
         length: stated.length.unwrap_or(assumed_length).max(1e-6),
         tension: stated.tension.unwrap_or(ASSUMED_TENSION_SHARE * mean_tension).max(1e-6 * mean_tension).max(1e-9),
+        slack: 0.0,
     };
-    (sigmas, absolute)
+    (sigmas.with_sensor(), absolute)
 }
 
 /// Solves L Lᵀ x = right in place with a row-major Cholesky factor whose diagonal is inverted.

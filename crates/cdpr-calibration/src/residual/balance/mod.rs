@@ -41,7 +41,7 @@ use linearization::Linearization;
 use measurement_noise::sigmas;
 use noise::Sigmas;
 use rows::{RowModel, SampleRows};
-use start::checked_tensions;
+use start::{checked_tensions, follow_from_statics};
 
 /// Reduction promised by the next step, as a fraction of the cost, at which a descent ends if there are several starts to compare.
 const SEARCH_PROMISE: f64 = 1e-9;
@@ -69,6 +69,8 @@ pub(crate) struct BalanceResidual<'a> {
     tensions: Vec<f64>,
     sigmas: Sigmas,
     is_stated: bool,
+    /// True where statics tells the tensions, of which each takes up a row.
+    are_told: bool,
     weighed_by: WeighedBy,
     at: Linearization,
     /// Noise that the weights stand for, as a multiple of `sigmas`.
@@ -105,7 +107,10 @@ impl<'a> BalanceResidual<'a> {
             _ => checked_tensions(model, samples)?,
         };
         let rows = RowModel::new(model, Load::of(model.robot())?, parameters);
-        let (sigmas, is_stated) = sigmas(samples, tensions.iter().sum::<f64>() / tensions.len() as f64);
+        let mean = tensions.iter().sum::<f64>() / tensions.len() as f64;
+        let (sigmas, is_stated) = sigmas(samples, mean);
+        let are_told = follow_from_statics(model, samples);
+        let sigmas = if are_told { sigmas.told_by_statics(mean) } else { sigmas };
         let at = match weighed_by {
             WeighedBy::Rows(weights) => {
                 let of_row = |row: usize| if row < model.dof() { weights.wrench } else { weights.length };
@@ -121,6 +126,7 @@ impl<'a> BalanceResidual<'a> {
             tensions,
             sigmas,
             is_stated,
+            are_told,
             weighed_by,
             at,
             noise: 1.0,
@@ -180,8 +186,13 @@ impl Residual for BalanceResidual<'_> {
     fn informative_rows(&self) -> usize {
         match self.weighed_by {
             WeighedBy::Measured => self.layout().free_rows(),
+            _ if self.are_told => self.at.informative_rows().saturating_sub(self.tensions.len()),
             _ => self.at.informative_rows(),
         }
+    }
+
+    fn tensions(&self) -> Option<&[f64]> {
+        Some(&self.tensions)
     }
 
     fn outliers(&self) -> Option<Outliers> {

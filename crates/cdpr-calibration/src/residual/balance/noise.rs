@@ -118,6 +118,11 @@ impl Kernel for Factor<'_> {
 /// Standard deviation of a length row that says nothing (m).
 pub(super) const SLACK_SIGMA: f64 = 1e3;
 
+/// Tensions below this many standard deviations of the force sensor may be those of a slack cable.
+const SLACK_SIGMAS: f64 = 4.0;
+/// Standard deviation of tensions that nothing measured, as a multiple of their mean: equilibrium tells them.
+const UNMEASURED: f64 = 30.0;
+
 /// Standard deviations of everything measured, as the weights use them.
 #[derive(Clone, Copy, Debug)]
 pub(crate) struct Sigmas {
@@ -129,12 +134,25 @@ pub(crate) struct Sigmas {
     pub(crate) length: f64,
     /// (N)
     pub(crate) tension: f64,
+    /// Tension below which a cable may be slack (N).
+    pub(crate) slack: f64,
 }
 
 /// Derivatives by what is measured itself instead of by standard deviations.
-pub(crate) const UNITS: Sigmas = Sigmas { position: 1.0, rotation: 1.0, length: 1.0, tension: 1.0 };
+pub(crate) const UNITS: Sigmas =
+    Sigmas { position: 1.0, rotation: 1.0, length: 1.0, tension: 1.0, slack: SLACK_SIGMAS };
 
 impl Sigmas {
+    /// With the slack limit of a sensor's accuracy.
+    pub(super) fn with_sensor(self) -> Self {
+        Self { slack: SLACK_SIGMAS * self.tension, ..self }
+    }
+
+    /// With tensions that equilibrium tells alone, of this mean (N).
+    pub(super) fn told_by_statics(self, mean: f64) -> Self {
+        Self { tension: UNMEASURED * mean, slack: 0.0, ..self }
+    }
+
     /// Of the direction of a motion pattern: a turn or a shift.
     pub(super) fn along(&self, twist: &Twist) -> f64 {
         if twist.fixed_rows::<3>(3).norm_squared() > 0.0 { self.rotation } else { self.position }

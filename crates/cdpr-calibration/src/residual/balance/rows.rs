@@ -43,7 +43,7 @@ pub(crate) struct RowModel<'a> {
 
 /// First column of each cable's parameters; the last entry is that of the load.
 pub(super) fn first_columns(model: &Model, parameters: &[Parameter]) -> Vec<usize> {
-    let before = |cable: usize| parameters.iter().filter(|p| !p.kind.is_of_load() && p.cable < cable).count();
+    let before = |cable: usize| parameters.iter().filter(|p| p.kind.is_of_cable() && p.cable < cable).count();
     (0..=model.cable_count()).map(before).collect()
 }
 
@@ -203,7 +203,8 @@ impl<'a> RowModel<'a> {
             }
             by_tension[n] = length;
             // the law says nothing of the length of a slack cable
-            let may_be_slack = self.model.law(cable).may_be_slack(state.given_tension(), SLACK_SIGMAS * real_sigma);
+            let limit = sigmas.slack / state.recording.tension_scale;
+            let may_be_slack = self.model.law(cable).may_be_slack(state.given_tension(), limit);
             noise.length[cable] = if may_be_slack { SLACK_SIGMA } else { sigmas.length };
         }
         if let Some((_, residuals)) = residuals {
@@ -232,6 +233,3 @@ pub(super) fn recorded_state(
     let input = model.measured_tension(cable, model.real_tension(cable, recorded_tension));
     model.law(cable).state_on(&path, &end, input, None).ok()
 }
-
-/// Tensions below this many standard deviations of the force sensor may be those of a slack cable.
-const SLACK_SIGMAS: f64 = 4.0;

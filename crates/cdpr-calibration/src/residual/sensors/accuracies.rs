@@ -26,8 +26,10 @@ pub(crate) enum Sensor {
     Balance,
     /// Swivel angles of pulleys.
     Swivel,
-    /// Parts of poses: an inclinometer's orientation, a probe's height.
-    Pose,
+    /// Components of positions: a reflector's, a probe's height.
+    Position,
+    /// Orientations: an inclinometer's.
+    Rotation,
 }
 
 impl Sensor {
@@ -38,7 +40,8 @@ impl Sensor {
             Self::Length => stated.length.is_some_and(|sigma| sigma > 0.0),
             Self::Tension => stated.tension.is_some(),
             Self::Swivel => stated.swivel.is_some(),
-            Self::Pose => stated.rotation.is_some(),
+            Self::Position => stated.position.is_some(),
+            Self::Rotation => stated.rotation.is_some(),
             Self::Balance => true,
         }
     }
@@ -100,7 +103,8 @@ impl Weights {
             Sensor::Length => Some(self.length),
             Sensor::Tension => Some(self.tension),
             Sensor::Swivel => Some(self.swivel),
-            Sensor::Pose => self.rotation,
+            Sensor::Position => self.position,
+            Sensor::Rotation => self.rotation,
             Sensor::Balance => Some(self.balance),
         }
     }
@@ -111,9 +115,15 @@ impl Weights {
             Sensor::Length => self.length = sigma,
             Sensor::Tension => self.tension = sigma,
             Sensor::Swivel => self.swivel = sigma,
-            Sensor::Pose => self.rotation = Some(sigma),
+            Sensor::Position => self.position = Some(sigma),
+            Sensor::Rotation => self.rotation = Some(sigma),
             Sensor::Balance => self.balance = sigma,
         }
+    }
+
+    /// The same where frames of the tracker are free: positions without a stated accuracy are measured with an assumed one, since none of the robot's frame is exact.
+    pub(crate) fn of_tracker(self) -> Self {
+        Self { position: self.position.or(Some(ASSUMED_NOISE)), ..self }
     }
 
     /// Accuracies that leave poses to lengths and angles.

@@ -5,6 +5,7 @@
 
 mod accuracies;
 mod rows;
+mod seek;
 mod settle;
 mod swivel;
 #[cfg(test)]
@@ -12,6 +13,7 @@ mod tests;
 
 use nalgebra::{DMatrix, DVector};
 
+use accuracies::is_turn;
 pub(crate) use accuracies::{Sensor, Weights};
 use rows::SampleSensors;
 pub(crate) use rows::SensorLayout;
@@ -22,6 +24,7 @@ use super::balance::rows::RowModel;
 use super::poseless::{guess, orthonormalise};
 use super::rows::{Layout, Rows};
 use super::{Latent, Poseless, Residual};
+use crate::self_calibration::partial_poses::platform_near;
 use cdpr_model::geometry::{Pose, Twist};
 use cdpr_model::measurement::{InternalSamples, SensorSigmas};
 use cdpr_model::model::Model;
@@ -60,20 +63,26 @@ struct RowsOf<'a> {
 impl SensorLayout {
     /// Rows that a model's samples have; nothing of tensions where the load is not `balanced`.
     pub(crate) fn of(model: &Model, internal: &InternalSamples, balances: bool, weights: &Weights) -> Self {
-        let has_part = |known: &Vec<bool>| measured_count(model, weights, known) > 0;
+        let is_measured = |known: &[bool], turns: bool| {
+            let mut components = model.twist_basis().iter().zip(known);
+            components.any(|(along, own)| *own && is_turn(along) == turns && weights.along(along, known) > 0.0)
+        };
+        let has = |turns: bool| internal.known.iter().any(|known| is_measured(known, turns));
         Self {
             m: model.cable_count(),
             n: model.dof(),
             has_tensions: balances && internal.samples.tensions.is_some(),
             balances,
             has_swivels: internal.swivels.is_some(),
-            has_poses: internal.known.iter().any(has_part),
+            translations: model.robot().motion_pattern.translations(),
+            has_positions: has(false),
+            has_rotations: has(true),
         }
     }
 
     /// True where lengths are the only rows.
     pub(crate) fn has_only_lengths(&self) -> bool {
-        !(self.balances || self.has_swivels || self.has_poses)
+        !(self.balances || self.has_swivels || self.has_positions || self.has_rotations)
     }
 
     /// True where tensions are unknowns in equilibrium with the load.
@@ -83,7 +92,7 @@ impl SensorLayout {
 
     /// True where every accuracy is stated that weighs a row.
     pub(crate) fn are_stated(&self, stated: &SensorSigmas) -> bool {
-        let weighed = [Sensor::Length, Sensor::Tension, Sensor::Swivel, Sensor::Pose];
+        let weighed = [Sensor::Length, Sensor::Tension, Sensor::Swivel, Sensor::Position, Sensor::Rotation];
         weighed.into_iter().filter(|sensor| self.has(*sensor)).all(|sensor| sensor.is_stated(stated))
     }
 
@@ -106,7 +115,8 @@ impl SensorLayout {
             (Sensor::Tension, "tensions"),
             (Sensor::Balance, "of equilibrium"),
             (Sensor::Swivel, "swivel angles"),
-            (Sensor::Pose, "parts of a pose"),
+            (Sensor::Position, "components of a position"),
+            (Sensor::Rotation, "of an orientation"),
         ];
         let told = |(sensor, name): (Sensor, &str)| {
             let (_, count) = self.rows(sensor);
@@ -135,8 +145,15 @@ impl<'a> SensorResidual<'a> {
             Some(tensions) if layout.balances => tensions[sample * m + cable],
             _ => weights.typical,
         };
+        let near = |sample: usize| {
+            let (measured, known) = (&internal.samples.poses[sample], &internal.known[sample]);
+            match &model.robot().tracked {
+                Some(frames) => platform_near(frames, measured, known, &home),
+                None => guess(model, measured, known, &home),
+            }
+        };
         let latent = |sample: usize| Latent {
-            pose: guess(model, &internal.samples.poses[sample], &internal.known[sample], &home),
+            pose: near(sample),
             tensions: (0..m).map(|cable| tension(sample, cable)).collect(),
         };
         let guesses: Vec<Latent> = (0..internal.samples.len()).map(latent).collect();
@@ -164,10 +181,7 @@ impl<'a> SensorResidual<'a> {
 
     fn try_write(&mut self, values: &[f64], rows: &mut Rows) -> Option<()> {
         let model = self.model.with_parameters(self.parameters, values)?;
-        let load = match self.layout.balances {
-            true => Load::of(model.robot()).ok()?,
-            false => Load::constant(nalgebra::zero()),
-        };
+        let load = self.load(&model)?;
         // a trial that fails must not leave places behind that are none
         let before = self.found.clone();
         let is_written = self.write_all(&model, load, rows);
@@ -181,15 +195,12 @@ impl<'a> SensorResidual<'a> {
     }
 
     fn write_all(&mut self, model: &Model, load: Load, rows: &mut Rows) -> Option<()> {
-        let masses = self.internal.masses.as_ref().filter(|_| self.layout.balances);
-        let parameters = self.parameters;
-        let of_load =
-            |load: Load| RowsOf { bare: RowModel::new(model, load, &[]), full: RowModel::new(model, load, parameters) };
-        let mut rows_of = of_load(load);
+        let has_masses = self.internal.masses.is_some() && self.layout.balances;
+        let mut rows_of = self.rows_of(model, load, 0);
         self.unsettled = 0;
         for sample in 0..self.guesses.len() {
-            if let Some(masses) = masses {
-                rows_of = of_load(load.with_mass(model.robot(), masses[sample]));
+            if has_masses {
+                rows_of = self.rows_of(model, load, sample);
             }
             let found = self.find(&rows_of.bare, sample)?;
             self.unsettled += usize::from(!found.is_least);
@@ -200,6 +211,21 @@ impl<'a> SensorResidual<'a> {
             self.write_sample(&rows_of, sample, rows)?;
         }
         Some(())
+    }
+
+    /// The load that cables balance; none where equilibrium is no row.
+    fn load(&self, model: &Model) -> Option<Load> {
+        if self.layout.balances { Load::of(model.robot()).ok() } else { Some(Load::constant(nalgebra::zero())) }
+    }
+
+    /// Rows of a sample under the load, of its own mass where the record states one.
+    fn rows_of<'m>(&self, model: &'m Model, load: Load, sample: usize) -> RowsOf<'m>
+    where
+        'a: 'm,
+    {
+        let masses = self.internal.masses.as_ref().filter(|_| self.layout.balances);
+        let load = masses.map_or(load, |masses| load.with_mass(model.robot(), masses[sample]));
+        RowsOf { bare: RowModel::new(model, load, &[]), full: RowModel::new(model, load, self.parameters) }
     }
 
     /// Pose and tensions of a sample: near those found last, or the best of searches from the guess and from the sample before.
@@ -245,7 +271,8 @@ impl<'a> SensorResidual<'a> {
 
     /// Rows that are none: parts of poses that are not measured.
     fn absent(&self) -> usize {
-        let (_, count) = self.layout.rows(Sensor::Pose);
+        let count: usize =
+            [Sensor::Position, Sensor::Rotation].into_iter().map(|sensor| self.layout.rows(sensor).1).sum();
         let own = |known: &Vec<bool>| measured_count(&self.model, &self.weights, known).min(count);
         self.internal.known.iter().map(|known| count - own(known)).sum()
     }
@@ -296,6 +323,10 @@ impl Residual for SensorResidual<'_> {
     fn restart(&mut self) {
         self.found.clone_from(&self.guesses);
         (self.is_found, self.unsettled) = (self.are_guesses_found, 0);
+    }
+
+    fn seek_again(&mut self, values: &[f64]) -> bool {
+        self.find_better(values).unwrap_or(false)
     }
 
     fn latents(&self) -> Vec<Latent> {

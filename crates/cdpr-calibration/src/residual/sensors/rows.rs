@@ -1,6 +1,6 @@
 //! Residuals of one sample's sensors, with derivatives by parameters and by what is not known of the platform.
 
-use nalgebra::{DMatrix, DVector};
+use nalgebra::{DMatrix, DVector, Matrix3};
 
 use super::accuracies::{Sensor, Weights};
 use super::swivel::Swivel;
@@ -9,10 +9,10 @@ use crate::residual::Latent;
 use crate::residual::balance::noise::{Noise, UNITS};
 use crate::residual::balance::rows::{RowModel, SampleRows};
 use crate::residual::metric::by_turn;
-use cdpr_model::geometry::Twist;
+use cdpr_model::geometry::{Pose, Twist};
 use cdpr_model::measurement::InternalSamples;
 use cdpr_model::model::Model;
-use cdpr_model::robot::Parameter;
+use cdpr_model::robot::{Parameter, ParameterKind, TrackedFrames};
 
 /// Which rows a sample has, in this order: lengths, tensions, equilibrium, swivels, and what is measured of its pose.
 #[derive(Clone, Debug)]
@@ -24,8 +24,12 @@ pub(crate) struct SensorLayout {
     /// Tensions are unknowns in equilibrium with the load.
     pub(super) balances: bool,
     pub(super) has_swivels: bool,
-    /// Parts of poses are measured with an accuracy.
-    pub(super) has_poses: bool,
+    /// Components of a position.
+    pub(super) translations: usize,
+    /// Some of them are measured with an accuracy.
+    pub(super) has_positions: bool,
+    /// Orientations are measured with an accuracy.
+    pub(super) has_rotations: bool,
 }
 
 impl SensorLayout {
@@ -36,7 +40,8 @@ impl SensorLayout {
             (Sensor::Tension, if self.has_tensions { self.m } else { 0 }),
             (Sensor::Balance, if self.balances { self.n } else { 0 }),
             (Sensor::Swivel, if self.has_swivels { self.m } else { 0 }),
-            (Sensor::Pose, if self.has_poses { self.n } else { 0 }),
+            (Sensor::Position, if self.has_positions { self.translations } else { 0 }),
+            (Sensor::Rotation, if self.has_rotations { self.n - self.translations } else { 0 }),
         ];
         let before = counts.iter().take_while(|(other, _)| *other != sensor).map(|(_, count)| count).sum();
         let own = counts.iter().find(|(other, _)| *other == sensor).map_or(0, |(_, count)| *count);
@@ -44,8 +49,18 @@ impl SensorLayout {
     }
 
     pub(crate) fn size(&self) -> usize {
-        let (first, count) = self.rows(Sensor::Pose);
+        let (first, count) = self.rows(Sensor::Rotation);
         first + count
+    }
+
+    /// Row of a component of a pose, in the order of the pattern's directions; `None` where no component of its kind is measured.
+    fn pose_row(&self, component: usize) -> Option<usize> {
+        let (sensor, place) = match component.checked_sub(self.translations) {
+            None => (Sensor::Position, component),
+            Some(place) => (Sensor::Rotation, place),
+        };
+        let (first, count) = self.rows(sensor);
+        (count > 0).then_some(first + place)
     }
 }
 
@@ -135,27 +150,36 @@ impl SampleSensors<'_> {
         Some(())
     }
 
-    fn write_pose(&self, model: &Model, sample: usize, at: &Latent, all: &mut SensorRows) {
-        let (first, count) = self.layout.rows(Sensor::Pose);
-        if count == 0 {
-            return;
-        }
-        let error = self.internal.samples.poses[sample].displacement_to(&at.pose);
-        let by_turn = by_turn(&error);
+    /// Components of a pose that are measured with an accuracy: place, row and weight along the pattern's directions.
+    fn measured_components<'m>(&'m self, model: &'m Model, sample: usize) -> impl Iterator<Item = Measured<'m>> {
         let known = &self.internal.known[sample];
-        for (row, (along, is_known)) in model.twist_basis().iter().zip(known).enumerate() {
+        let components = model.twist_basis().iter().zip(known).enumerate();
+        components.filter(|(_, (_, is_known))| **is_known).filter_map(|(place, (along, _))| {
             let weight = self.weights.along(along, known);
-            if !is_known || weight == 0.0 {
-                continue;
-            }
-            all.residuals[first + row] = weight * along.dot(&error);
+            let row = self.layout.pose_row(place).filter(|_| weight > 0.0)?;
+            Some(Measured { row, along, weight })
+        })
+    }
+
+    fn write_pose(&self, model: &Model, sample: usize, at: &Latent, all: &mut SensorRows) {
+        let Some(seen) = self.seen(model, sample, at) else { return };
+        for Measured { row, along, weight } in self.measured_components(model, sample) {
+            all.residuals[row] = weight * along.dot(&seen.error);
             for (column, twist) in self.directions[sample].iter().enumerate() {
-                let mut moved = *twist;
-                let turned = by_turn * moved.fixed_rows::<3>(3);
-                moved.fixed_rows_mut::<3>(3).copy_from(&turned);
-                all.by_latent[(first + row, column)] = weight * along.dot(&moved);
+                all.by_latent[(row, column)] = weight * along.dot(&seen.by_platform(twist));
             }
         }
+    }
+
+    /// The platform as the tracker sees it; `None` where no component of poses is measured.
+    fn seen(&self, model: &Model, sample: usize, at: &Latent) -> Option<Seen> {
+        if !(self.layout.has_positions || self.layout.has_rotations) {
+            return None;
+        }
+        let frames = model.robot().tracked;
+        let seen = frames.map_or(at.pose, |frames| frames.seen(&at.pose));
+        let error = self.internal.samples.poses[sample].displacement_to(&seen);
+        Some(Seen { by_turn: by_turn(&error), error, frames, platform: at.pose, rotation: at.pose.rotation_matrix() })
     }
 
     /// Derivatives by the parameters, a column each.
@@ -180,6 +204,14 @@ impl SampleSensors<'_> {
             };
             entries.iter().enumerate().for_each(|(column, entry)| all[(to, column)] = weight * entry);
         }
+        if let Some(seen) = self.seen(model, sample, at) {
+            for (column, parameter) in parameters.iter().enumerate().filter(|(_, own)| own.kind.is_of_recording()) {
+                let change = seen.by_parameter(model, parameter);
+                for Measured { row, along, weight } in self.measured_components(model, sample) {
+                    all[(row, column)] = weight * along.dot(&change);
+                }
+            }
+        }
         let (first, count) = self.layout.rows(Sensor::Swivel);
         let weight = self.weights.of(Sensor::Swivel);
         for cable in 0..count.min(m) {
@@ -189,6 +221,54 @@ impl SampleSensors<'_> {
             }
         }
         Some(all)
+    }
+}
+
+/// A component of a pose that is measured with an accuracy.
+struct Measured<'a> {
+    row: usize,
+    along: &'a Twist,
+    /// 1/σ.
+    weight: f64,
+}
+
+/// What a tracker sees of the platform at a pose, beside what it has measured.
+struct Seen {
+    /// From the measured pose to the one that it should see (its own axes).
+    error: Twist,
+    by_turn: Matrix3<f64>,
+    /// `None` where it sees the platform in the robot's frame.
+    frames: Option<TrackedFrames>,
+    platform: Pose,
+    rotation: Matrix3<f64>,
+}
+
+impl Seen {
+    /// Change of the error by a motion in the tracker's axes.
+    fn of(&self, moved: Twist) -> Twist {
+        let turned = self.by_turn * moved.fixed_rows::<3>(3);
+        let mut moved = moved;
+        moved.fixed_rows_mut::<3>(3).copy_from(&turned);
+        moved
+    }
+
+    fn by_platform(&self, twist: &Twist) -> Twist {
+        let moved = |frames: TrackedFrames| frames.seen_by(&frames.by_platform(twist, &self.rotation));
+        self.of(self.frames.map_or(*twist, moved))
+    }
+
+    /// Change of the error by a component of a frame.
+    fn by_parameter(&self, model: &Model, parameter: &Parameter) -> Twist {
+        let (Some(component), frames) =
+            (model.robot().frame_component(parameter.axis), self.frames.unwrap_or_default())
+        else {
+            return Twist::zeros();
+        };
+        let moved = match parameter.kind {
+            ParameterKind::TrackerFrame => frames.by_tracker(&component, &self.platform),
+            _ => frames.by_marker(&component, &self.rotation),
+        };
+        self.of(frames.seen_by(&moved))
     }
 }
 

@@ -7,7 +7,7 @@ use crate::residual::balance::rows::RowModel;
 use cdpr_model::geometry::{Pose, Twist};
 use cdpr_model::measurement::{InternalSamples, Samples, SensorSigmas};
 use cdpr_model::model::{Composition, FreeParameters, Model};
-use cdpr_model::robot::{Parameter, Robot};
+use cdpr_model::robot::{Frame, Parameter, ParameterKind, Robot, TrackedFrames};
 use cdpr_model::statics::Load;
 
 /// Four elastic cables over swivelling pulleys hold a platform of six degrees of freedom.
@@ -53,17 +53,28 @@ fn measured() -> (InternalSamples, Latent) {
     (internal, Latent { pose, tensions: vec![41.0, 36.0, 44.0, 31.0] })
 }
 
-/// Derivatives of all rows of a sample by pose, tensions and parameters are their differences.
+/// Derivatives of all rows of a sample by pose, tensions, parameters and frames are their differences.
 #[test]
 fn derivatives_of_all_rows_are_their_differences() {
-    let model = hanging();
-    let (internal, at) = measured();
+    let mut robot = hanging().robot().clone();
+    robot.tracked = Some(TrackedFrames {
+        tracker: Frame { position: Vector3::new(0.02, 0.01, -0.03), turn: Vector3::new(0.03, -0.02, 0.01) },
+        marker: Frame { position: Vector3::new(0.2, -0.1, 0.15), turn: Vector3::new(-0.01, 0.03, 0.02) },
+    });
+    let model = Model::new(robot, hanging().composition()).unwrap();
+    let (mut internal, at) = measured();
+    internal.known = vec![vec![true; 6]];
+    internal.samples.poses = vec![Pose::from_xyz_angles(Vector3::new(0.3, -0.3, 0.7), [0.12, -0.06, 0.17])];
+    internal.samples.sigmas.position = Some(0.002);
     let free: FreeParameters =
         "frame-anchor,platform-anchor,length-offset,length-scale,pulley-radius,swivel-axis,compliance,\
                                 tension-scale,tension-offset,mass,center-of-mass"
             .parse()
             .unwrap();
-    let parameters = free.parameters(&model, &FreeParameters::default()).unwrap();
+    let mut parameters = free.parameters(&model, &FreeParameters::default()).unwrap();
+    for kind in [ParameterKind::TrackerFrame, ParameterKind::MarkerFrame] {
+        parameters.extend((0..6).map(|axis| Parameter { cable: 0, kind, axis }));
+    }
     let weights = Weights::new(&model, &internal.samples.sigmas, 37.5);
     let layout = SensorLayout::of(&model, &internal, true, &weights);
     let directions = [model.twist_basis().to_vec()];

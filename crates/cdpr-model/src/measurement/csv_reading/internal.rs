@@ -6,18 +6,23 @@ use super::{MeasurementFile, Numbers};
 use crate::geometry::{MotionPattern, Pose};
 use crate::measurement::InternalSamples;
 use crate::measurement::columns::{Quantity, meaning};
+use crate::measurement::header_mistakes;
 use crate::reading::ReadError;
 use crate::robot::Robot;
 
+/// Columns of orientations.
+const ORIENTATIONS: [&str; 8] = ["qx", "qy", "qz", "qw", "rx_rad", "ry_rad", "rz_rad", "angle_rad"];
+/// What positions without orientations are.
+const POSITIONS_ALONE: &str = "positions without orientation, as of one reflector: orientations are found with the parameters; if the reflector is not at the \
+    platform's origin free `marker-frame`, if the tracker's world is not the robot's free `tracker-frame`";
+
 impl MeasurementFile<'_> {
-    /// True for a file in which no column is, or probably was meant to be, a position; it may have those of an
-    /// inclinometer.
+    /// True for a file without whole poses: no column is, or probably was meant to be, a position (it may have those of an
+    /// inclinometer), or there are positions and no orientation of a platform that turns (a reflector).
     pub fn lacks_poses(&self, robot: &Robot) -> Result<bool, ReadError> {
         self.with_content(Content::Internal, robot, |file| {
-            let is_pose = |name: &str| {
-                meaning(name).is_ok_and(|column| column.is_some_and(|c| matches!(c.quantity, Quantity::Position(_))))
-            };
-            Ok(!file.meant_names().any(is_pose) && file.refuse_without_poses().is_err())
+            let has_position = file.has(|quantity| matches!(quantity, Quantity::Position(_)));
+            Ok(file.has_positions_alone() || !has_position && file.refuse_without_poses().is_err())
         })
     }
 
@@ -35,6 +40,9 @@ impl MeasurementFile<'_> {
                 return Err(error);
             }
             table.notices.extend(table.skipped.words(file.file_name, rows));
+            if file.has_positions_alone() {
+                table.notices.push(format!("{}: {POSITIONS_ALONE}", file.file_name));
+            }
             Ok((
                 InternalSamples { samples: table.samples, known, swivels, masses, facts: Vec::new(), are_changes },
                 table.notices,
@@ -53,15 +61,28 @@ impl CsvFile<'_> {
         })
     }
 
+    /// True if some column is of a quantity.
+    fn has(&self, wanted: fn(Quantity) -> bool) -> bool {
+        self.meant_names().any(|name| meaning(name).is_ok_and(|column| column.is_some_and(|c| wanted(c.quantity))))
+    }
+
+    /// True for positions of a platform that turns without a column that is, or probably was meant to be, of its orientation.
+    fn has_positions_alone(&self) -> bool {
+        let unclaimed: Vec<&str> = self.meant_names().filter(|name| matches!(meaning(name), Ok(None))).collect();
+        let is_meant = |name: &&str| header_mistakes::probably_meant(name, &unclaimed).is_some();
+        self.robot.motion_pattern.has_rotation()
+            && self.has(|quantity| matches!(quantity, Quantity::Position(_)))
+            && !self.has(|quantity| matches!(quantity, Quantity::Angle | Quantity::Euler(_) | Quantity::Quaternion(_)))
+            && self.meant_names().all(|name| meaning(name).is_ok())
+            && !ORIENTATIONS.iter().any(is_meant)
+    }
+
     /// True if lengths are given only by their changes, or by motor angles of winches with unknown start lengths.
     fn has_changes_only(&self) -> bool {
-        let has = |wanted: fn(Quantity) -> bool| {
-            self.meant_names().any(|name| meaning(name).is_ok_and(|column| column.is_some_and(|c| wanted(c.quantity))))
-        };
         let counts_from_nothing = || self.robot.cables.iter().any(|cable| cable.winch.start_length.is_some());
-        !has(|quantity| matches!(quantity, Quantity::Length(_)))
-            && (has(|quantity| matches!(quantity, Quantity::LengthChange(_)))
-                || has(|quantity| matches!(quantity, Quantity::MotorAngle(_))) && !counts_from_nothing())
+        !self.has(|quantity| matches!(quantity, Quantity::Length(_)))
+            && (self.has(|quantity| matches!(quantity, Quantity::LengthChange(_)))
+                || self.has(|quantity| matches!(quantity, Quantity::MotorAngle(_))) && !counts_from_nothing())
     }
 
     /// Reads the known components of a row's pose; the others are those of the identity.

@@ -111,6 +111,7 @@ pub fn import(files: &Files<'_>, options: &Options<'_>) -> Result<Import, ReadEr
         cables: set.cables,
         reference_checks: Vec::new(),
         calibration: None,
+        tracked: None,
         obstacles: Vec::new(),
     };
     Ok(Import {

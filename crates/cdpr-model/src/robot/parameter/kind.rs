@@ -119,6 +119,10 @@ pub enum ParameterKind {
     SwivelAxis,
     /// Zero of the encoder at a pulley's swivel: swivel_recorded = swivel angle + swivel_offset (rad).
     SwivelOffset,
+    /// Frame of the tracker's world in the robot's frame: its origin (m), then its rotation vector (rad). It belongs to a recording, and no file states it.
+    TrackerFrame,
+    /// Frame of the tracked marker on the platform, as [`ParameterKind::TrackerFrame`].
+    MarkerFrame,
     /// Number of a law of stretch, from the list of all laws.
     Stretch(StretchNumber),
 }
@@ -134,6 +138,8 @@ pub(crate) enum Owner {
     ExternalWrench,
     /// The keys above the first table.
     Robot,
+    /// No table: numbers of a recording.
+    Recording,
 }
 
 /// Range of the values that a robot file may state.
@@ -337,6 +343,8 @@ impl ParameterKind {
                 let number = number.entry();
                 of(Cable, number.name, number.key, number.unit, Positive)
             }
+            Self::TrackerFrame => of(Owner::Recording, "tracker-frame", "", "m", Real),
+            Self::MarkerFrame => of(Owner::Recording, "marker-frame", "", "m", Real),
             Self::Gravity => of(Owner::Robot, "gravity", "gravity_m_s2", "m/s²", Real),
         }
     }
@@ -373,6 +381,16 @@ impl ParameterKind {
     /// True for numbers of the load on the platform, which belong to no cable.
     pub fn is_of_load(self) -> bool {
         matches!(self, Self::Mass | Self::CenterOfMass | Self::Wrench)
+    }
+
+    /// True for frames of a recording.
+    pub fn is_of_recording(self) -> bool {
+        matches!(self, Self::TrackerFrame | Self::MarkerFrame)
+    }
+
+    /// True for numbers that exist once for each cable; those of load and recording come behind them in parameter vectors.
+    pub fn is_of_cable(self) -> bool {
+        !self.is_of_load() && !self.is_of_recording()
     }
 
     /// True for turns of an axis.

@@ -10,7 +10,7 @@ mod tests;
 
 use nalgebra::Vector3;
 
-use super::{Axis, Cable, CableStiffness, ExternalWrench, Robot};
+use super::{Axis, Cable, CableStiffness, Component, ExternalWrench, Frame, Robot, TrackedFrames};
 use crate::geometry::Wrench;
 pub use kind::ParameterKind;
 pub(crate) use kind::{Owner, Range};
@@ -39,6 +39,7 @@ impl ParameterKind {
             Self::FrameAnchor | Self::PlatformAnchor | Self::Force | Self::CenterOfMass | Self::Gravity => translations,
             Self::Moment => dof - translations,
             Self::Wrench => dof,
+            Self::TrackerFrame | Self::MarkerFrame => robot.frame_components(),
             Self::DrumAxis => 2,
             Self::SwivelAxis => {
                 if robot.motion_pattern.is_planar() {
@@ -72,6 +73,13 @@ impl Parameter {
                 .map(|external| self.of_wrench(robot, &external.wrench)),
             Kind::FrameAnchor => Some(component(robot, &robot.cables[self.cable].frame_anchor, self.axis)),
             Kind::PlatformAnchor => Some(component(robot, &robot.cables[self.cable].platform_anchor, self.axis)),
+            Kind::TrackerFrame | Kind::MarkerFrame => {
+                let (frame, component) = (self.frame_of(robot.tracked?), robot.frame_component(self.axis)?);
+                Some(match component {
+                    Component::Shift(axis) => axis.dot(&frame.position),
+                    Component::Turn(axis) => axis.dot(&frame.turn),
+                })
+            }
             Kind::DrumAxis | Kind::SwivelAxis => {
                 self.axis_of(robot).map(|axis| axis.turn_about(&self.turn_direction(robot, &axis)))
             }
@@ -103,6 +111,7 @@ impl Parameter {
             Kind::FrameAnchor => robot.cables[self.cable].frame_anchor[index] = value,
             Kind::PlatformAnchor => robot.cables[self.cable].platform_anchor[index] = value,
             Kind::DrumAxis | Kind::SwivelAxis => self.set_turn(robot, value),
+            Kind::TrackerFrame | Kind::MarkerFrame => self.set_frame(robot, value),
             kind => set_of_cable(kind, &mut robot.cables[self.cable], value),
         }
     }
@@ -132,6 +141,22 @@ impl Parameter {
             ParameterKind::SwivelAxis => cable.swivel_axis(),
             _ => None,
         }
+    }
+
+    /// The frame to which a component belongs.
+    fn frame_of(&self, frames: TrackedFrames) -> Frame {
+        if self.kind == ParameterKind::TrackerFrame { frames.tracker } else { frames.marker }
+    }
+
+    fn set_frame(&self, robot: &mut Robot, value: f64) {
+        let Some(component) = robot.frame_component(self.axis) else { return };
+        let frames = robot.tracked.get_or_insert_default();
+        let frame = if self.kind == ParameterKind::TrackerFrame { &mut frames.tracker } else { &mut frames.marker };
+        let (vector, axis) = match component {
+            Component::Shift(axis) => (&mut frame.position, axis),
+            Component::Turn(axis) => (&mut frame.turn, axis),
+        };
+        *vector += axis * (value - axis.dot(vector));
     }
 
     /// Direction about which an axis turns.
@@ -218,8 +243,12 @@ impl Parameter {
 
     /// Unit of the value, empty for a ratio.
     pub fn unit(&self, robot: &Robot) -> &'static str {
-        let is_moment = self.kind == ParameterKind::Wrench && self.axis >= robot.motion_pattern.translations();
-        if is_moment { "N·m" } else { self.kind.unit() }
+        match self.kind {
+            kind if self.axis < robot.motion_pattern.translations() => kind.unit(),
+            ParameterKind::Wrench => "N·m",
+            kind if kind.is_of_recording() => "rad",
+            kind => kind.unit(),
+        }
     }
 
     /// Degree of freedom along which a force, a moment or the wrench acts.
@@ -324,7 +353,7 @@ fn of_cable(kind: ParameterKind, cable: &Cable) -> Option<f64> {
         Kind::Stretch(number) => cable.law_numbers.get(number.entry().key).copied(),
         Kind::FrameAnchor | Kind::PlatformAnchor | Kind::DrumAxis | Kind::SwivelAxis => None,
         Kind::Force | Kind::Moment | Kind::Wrench | Kind::Mass | Kind::CenterOfMass | Kind::Gravity => None,
-        Kind::PlatformDamping | Kind::RotationalDamping => None,
+        Kind::PlatformDamping | Kind::RotationalDamping | Kind::TrackerFrame | Kind::MarkerFrame => None,
     }
 }
 
@@ -378,7 +407,7 @@ fn set_of_cable(kind: ParameterKind, cable: &mut Cable, value: f64) {
         Kind::PulleyInertia => &mut cable.pulley_inertia,
         Kind::FrameAnchor | Kind::PlatformAnchor | Kind::DrumAxis | Kind::SwivelAxis => return,
         Kind::Force | Kind::Moment | Kind::Wrench | Kind::Mass | Kind::CenterOfMass | Kind::Gravity => return,
-        Kind::PlatformDamping | Kind::RotationalDamping => return,
+        Kind::PlatformDamping | Kind::RotationalDamping | Kind::TrackerFrame | Kind::MarkerFrame => return,
     };
     *number = Some(value);
 }

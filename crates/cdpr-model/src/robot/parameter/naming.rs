@@ -66,7 +66,7 @@ impl Parameter {
             Owner::Cable => format!("cable[{}].", self.cable + 1),
             Owner::Platform => "platform.".to_owned(),
             Owner::ExternalWrench => "external_wrench.".to_owned(),
-            Owner::Robot => String::new(),
+            Owner::Robot | Owner::Recording => String::new(),
         };
         Some(format!("{table}{}{}", self.kind.key(), self.entry(robot)))
     }
@@ -111,6 +111,11 @@ impl Parameter {
                 None => (".force_", axis_letter(robot, self.axis)),
                 Some(_) if is_planar => (".moment", None),
                 Some(axis) => (".moment_", axis_letter(robot, axis)),
+            },
+            kind if kind.is_of_recording() => match self.axis.checked_sub(robot.motion_pattern.translations()) {
+                None => (".", axis_letter(robot, self.axis)),
+                Some(_) if is_planar => (".turn", None),
+                Some(axis) => (".turn_", ['x', 'y', 'z'].get(axis).copied()),
             },
             ParameterKind::Moment if is_planar => ("", None),
             kind if kind.is_turn() && kind.components(robot) > 1 => (".turn_", ['1', '2'].get(self.axis).copied()),
