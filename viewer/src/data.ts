@@ -75,6 +75,8 @@ export interface Candidate {
   /** Weighted sum of squares after each step. */
   history?: number[];
   iterations?: number;
+  /** Name in plain words, with the number of free parameters. */
+  label: string;
   /** Criterion on regions left out, where they were asked for. */
   leave_region_out?: HeldOut | null;
   /** Changes of recorded lengths inside the record, where they were free. */

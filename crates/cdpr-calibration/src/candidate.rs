@@ -1,5 +1,9 @@
 //! Control models to choose from.
 
+mod label;
+
+pub use label::plain_name;
+
 use std::fmt;
 use std::str::FromStr;
 

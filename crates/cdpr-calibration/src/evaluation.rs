@@ -2,6 +2,9 @@
 
 #[cfg(test)]
 mod tests;
+mod worst_cable;
+
+pub use worst_cable::WorstCable;
 
 use thiserror::Error;
 

@@ -5,6 +5,7 @@ mod cautions;
 mod checks;
 mod frames;
 mod input_error;
+mod largest_changes;
 mod profile;
 mod report;
 mod settings;

@@ -68,7 +68,7 @@ pub use design::{
     Candidates, CurvePoint, DesignCriterion, GridComparison, ParameterPrediction, Plan, PlanError, PlanSettings,
     PosePrediction, Predicted, plan,
 };
-pub use evaluation::{ErrorBlocks, Evaluation, EvaluationError, evaluate, evaluate_fitted};
+pub use evaluation::{ErrorBlocks, Evaluation, EvaluationError, WorstCable, evaluate, evaluate_fitted};
 pub use findings::{Examined, UNIT_FACTORS, findings};
 pub use fit::{Fit, FrameEstimate, Gauge, Prior, RecordingFrames, frame_warning};
 pub use gauge_convention::GaugeConvention;

@@ -10,11 +10,12 @@ use cdpr_model::finding::Finding;
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 
-use crate::console::Console;
-use crate::diagnostics;
+use crate::console::{self, Console};
+use crate::diagnostics::{self, Looks};
 use crate::failure::Failure;
 use crate::stream::Stream;
 use cdpr_reports::answers::Envelope;
+use cdpr_reports::paragraphs::Paragraphs;
 
 pub(crate) use cdpr_reports::answers::Answer;
 
@@ -90,12 +91,24 @@ impl<'a> Output<'a> {
     /// The same where a user may overrule an answer that is not to be trusted.
     pub(crate) fn answer_accepting(&self, answer: &impl Answer, trust: TrustArguments) -> Result<ExitCode, Failure> {
         let text = match self.format {
-            Format::Text => answer.words(self.out.borrow().width()),
+            Format::Text => self.text(answer),
             Format::Json => self.json(answer, status(answer))?,
         };
         self.write(&text)?;
         let is_accepted = trust.accept_untrusted && answer.may_be_accepted();
         Ok(ExitCode::from(u8::from(answer.is_negative() && !is_accepted)))
+    }
+
+    /// The answer for people in lines of the terminal: on one screen, where nothing more is asked for.
+    fn text(&self, answer: &impl Answer) -> String {
+        let out = self.out.borrow();
+        let width = Console::width(&**out);
+        if answer.is_verbatim() {
+            return answer.words(Some(width));
+        }
+        let summary = if self.console.verbose { None } else { answer.summary(width) };
+        let paragraphs = summary.unwrap_or_else(|| Paragraphs::of(&answer.words(Some(width))));
+        paragraphs.text(width, self.console.has_colour(&**out))
     }
 
     /// Tells something that is not part of the answer, on stderr and among the warnings of a JSON answer.
@@ -107,7 +120,7 @@ impl<'a> Output<'a> {
     /// Tells something on stderr alone, unless quiet is asked for.
     pub(crate) fn tell(&self, text: &str) {
         if !self.console.quiet {
-            self.complain(|has_colour| diagnostics::remark(text, has_colour));
+            self.complain(|looks| diagnostics::remark(text, looks));
         }
     }
 
@@ -136,7 +149,7 @@ impl<'a> Output<'a> {
 
     /// Tells the failure on stderr, and as an object on stdout when JSON was asked for.
     pub(crate) fn fail(&self, failure: &Failure) -> ExitCode {
-        self.complain(|has_colour| diagnostics::failure(failure, has_colour));
+        self.complain(|looks| diagnostics::failure(failure, looks));
         self.mirror(failure)
     }
 
@@ -169,9 +182,10 @@ impl<'a> Output<'a> {
         }
     }
 
-    fn complain(&self, text: impl FnOnce(bool) -> String) {
+    fn complain(&self, text: impl FnOnce(Looks) -> String) {
         let mut err = self.err.borrow_mut();
-        let text = text(self.console.has_colour(&**err));
+        let looks = Looks { has_colour: self.console.has_colour(&**err), width: console::message_width(&**err) };
+        let text = text(looks);
         // when stderr is gone there is nobody to tell
         let _ = err.write_all(text.as_bytes()).and_then(|()| err.flush());
     }

@@ -1,4 +1,4 @@
-//! How the owner of the terminal wants to be talked to: colour, quiet.
+//! How the owner of the terminal wants to be talked to: colour, quiet, width.
 
 use std::env;
 
@@ -25,9 +25,19 @@ pub(crate) struct Console {
     pub(crate) color: ColorChoice,
     /// True when only answers and errors are wanted.
     pub(crate) quiet: bool,
+    /// True when all that there is to say is wanted, not what fits on one screen.
+    pub(crate) verbose: bool,
 }
 
+/// Columns of a line at least and at most: fewer cut tables, more are hard to read.
+const WIDTHS: (usize, usize) = (80, 100);
+
 impl Console {
+    /// Columns of a line on this stream.
+    pub(crate) fn width(stream: &dyn Stream) -> usize {
+        columns(stream.width(), env::var("COLUMNS").ok().as_deref())
+    }
+
     /// True when this stream takes colour.
     pub(crate) fn has_colour(self, stream: &dyn Stream) -> bool {
         coloured(self.color, stream.is_terminal(), |name| env::var(name).ok())
@@ -63,9 +73,37 @@ fn coloured(choice: ColorChoice, is_terminal: bool, variable: impl Fn(&str) -> O
     }
 }
 
+/// The same of a stream of messages, whose lines stay whole in files and pipes where nobody states a width: a search for a sentence finds it.
+pub(crate) fn message_width(stream: &dyn Stream) -> Option<usize> {
+    let is_asked = stream.is_terminal() || env::var_os("COLUMNS").is_some_and(|columns| !columns.is_empty());
+    is_asked.then(|| Console::width(stream))
+}
+
+/// The width of the terminal, else that of the variable COLUMNS, else the most.
+fn columns(terminal: Option<usize>, variable: Option<&str>) -> usize {
+    let (least, most) = WIDTHS;
+    let asked = || variable.and_then(|text| text.trim().parse().ok()).filter(|columns| *columns > 0);
+    terminal.or_else(asked).map_or(most, |columns| columns.clamp(least, most))
+}
+
 #[cfg(test)]
 mod tests {
     use super::*;
+
+    #[test]
+    fn lines_are_as_wide_as_the_terminal_between_80_and_100_columns() {
+        for (terminal, variable, expected) in [
+            (None, None, 100),
+            (None, Some("90"), 90),
+            (None, Some("40"), 80),
+            (None, Some("many"), 100),
+            (Some(85), Some("95"), 85),
+            (Some(60), None, 80),
+            (Some(220), None, 100),
+        ] {
+            assert_eq!(columns(terminal, variable), expected, "{terminal:?} {variable:?}");
+        }
+    }
 
     fn decided(choice: ColorChoice, is_terminal: bool, variables: &[(&str, &str)]) -> bool {
         let variable =

@@ -39,6 +39,7 @@ use std::process::ExitCode;
 use answer::Output;
 use clap::{ArgMatches, CommandFactory, FromArgMatches, Parser};
 use commands::Command;
+use console::Console;
 use options::GlobalOptions;
 use session::Session;
 
@@ -92,7 +93,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, out: &mut dyn Stream, 
         return ExitCode::SUCCESS;
     }
     let words: Vec<String> = arguments.iter().skip(1).map(|word| word.to_string_lossy().into_owned()).collect();
-    let matches = grouped(out.width()).try_get_matches_from(&arguments);
+    let matches = grouped(out.width().unwrap_or_else(|| Console::width(out))).try_get_matches_from(&arguments);
     let parsed = matches.and_then(|matches| Ok((CommandLine::from_arg_matches(&matches)?, matches)));
     let (CommandLine { command, options }, matches) = match parsed {
         Ok(parsed) => parsed,
@@ -122,10 +123,10 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, out: &mut dyn Stream, 
 }
 
 /// The command line whose help lists its subcommands in groups, for a terminal of this width.
-fn grouped(width: Option<usize>) -> clap::Command {
+fn grouped(width: usize) -> clap::Command {
     let command = CommandLine::command();
     let header = command.get_styles().get_header();
-    let subcommands = commands::listed(&command, width.unwrap_or(HELP_WIDTH).min(HELP_WIDTH));
+    let subcommands = commands::listed(&command, width.min(HELP_WIDTH));
     let template = format!(
         "{{about-with-newline}}\n{{usage-heading}} {{usage}}\n\n{subcommands}{header}Options:{header:#}\n{{options}}{{after-help}}"
     );

@@ -29,21 +29,25 @@ pub(crate) struct GlobalOptions {
     #[arg(short, long, global = true, display_order = 901)]
     quiet: bool,
 
+    /// Show all that there is to say, where an answer is otherwise kept to one screen (`select`, `identify`, `demo`).
+    #[arg(short, long, global = true, display_order = 902)]
+    verbose: bool,
+
     /// Colour on terminals (auto; NO_COLOR and CLICOLOR_FORCE are heeded), everywhere, or nowhere.
     #[arg(long, global = true, value_enum, default_value_t = ColorChoice::Auto, value_name = "auto|always|never")]
-    #[arg(hide_possible_values = true, display_order = 902)]
+    #[arg(hide_possible_values = true, display_order = 903)]
     color: ColorChoice,
 
     /// Threads to calculate with, at most; all processors when left out. The result is the same for any number, and more than 64 are
     /// started only where there are as many processors.
-    #[arg(long, global = true, value_name = "N", display_order = 903)]
+    #[arg(long, global = true, value_name = "N", display_order = 904)]
     threads: Option<NonZeroU16>,
 }
 
 impl GlobalOptions {
     /// Wishes about what is written besides the answer.
     pub(crate) fn console(&self) -> Console {
-        Console { color: self.color, quiet: self.quiet }
+        Console { color: self.color, quiet: self.quiet, verbose: self.verbose }
     }
 
     /// The threads to calculate with; `None` if they are left to the process.
@@ -66,7 +70,7 @@ impl GlobalOptions {
     }
 }
 
-/// The words of a command line without colour, quiet and threads, which do not touch the result.
+/// The words of a command line without colour, quiet, verbose and threads, which do not touch the result.
 pub(crate) fn that_matter(words: &[String]) -> Vec<&String> {
     let mut kept = Vec::new();
     let mut rest = words.iter();
@@ -76,7 +80,7 @@ pub(crate) fn that_matter(words: &[String]) -> Vec<&String> {
                 kept.push(word);
                 kept.extend(rest.by_ref());
             }
-            "--quiet" | "-q" => {}
+            "--quiet" | "-q" | "--verbose" | "-v" => {}
             "--color" | "--threads" => drop(rest.next()),
             other if other.starts_with("--color=") || other.starts_with("--threads=") => {}
             _ => kept.push(word),
@@ -92,7 +96,7 @@ mod tests {
     #[test]
     fn what_does_not_touch_the_result_is_not_part_of_its_provenance() {
         let words = |line: &str| line.split_whitespace().map(str::to_owned).collect::<Vec<_>>();
-        let given = words("--threads 3 select --color=never a.toml -q --threads=2 --seed 4 -- --quiet");
+        let given = words("--threads 3 select --color=never a.toml -q --verbose --threads=2 --seed 4 -- --quiet");
         assert_eq!(
             that_matter(&given).into_iter().cloned().collect::<Vec<_>>(),
             words("select a.toml --seed 4 -- --quiet")

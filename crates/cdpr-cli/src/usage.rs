@@ -9,6 +9,7 @@ use cdpr_calibration::selection::RequirementError;
 use cdpr_model::measurement::{KnownError, SplitError};
 use cdpr_model::model::{CompositionError, ParameterError};
 use cdpr_model::reading::ErrorCode;
+use cdpr_reports::paragraphs::Paragraphs;
 use clap::error::ErrorKind;
 
 use crate::answer::{Format, Output};
@@ -18,7 +19,7 @@ use crate::stream::Stream;
 
 /// Help and version are answers; anything else that stops the parser is a usage error.
 pub(crate) fn exit(error: &clap::Error, words: &[String], out: &mut dyn Stream, err: &mut dyn Stream) -> ExitCode {
-    let console = Console { color: console::color_asked_for(words), quiet: false };
+    let console = Console { color: console::color_asked_for(words), ..Console::default() };
     if !error.use_stderr() {
         write(out, console, error);
         return ExitCode::SUCCESS;
@@ -63,6 +64,8 @@ fn write(stream: &mut dyn Stream, console: Console, error: &clap::Error) {
     let styled = error.render();
     let text = if console.has_colour(stream) { styled.ansi().to_string() } else { styled.to_string() };
     let text = if error.use_stderr() { text.replacen("error:", &format!("error[{}]:", code(error)), 1) } else { text };
+    let width = console::message_width(stream).filter(|_| error.use_stderr());
+    let text = width.map_or(text.clone(), |width| Paragraphs::of(&text).text(width, false));
     // when the stream is gone there is nobody to tell
     let _ = stream.write_all(text.as_bytes());
 }

@@ -21,6 +21,7 @@
 //! | [`answers`] | results as JSON objects with units in their keys, and in words |
 //! | [`explanations`] | a page for every error code |
 //! | [`number_format`] | numbers for people |
+//! | [`paragraphs`] | text for people that folds at the width of a terminal |
 //! | [`table`] | tables for people, fitted to a width |
 
 pub mod answers;
@@ -35,6 +36,7 @@ mod keys;
 mod named_file;
 pub mod number_format;
 mod page_schema;
+pub mod paragraphs;
 pub mod reachable;
 pub mod recording;
 pub mod report;

@@ -3,7 +3,8 @@
 use cdpr_calibration::fit::{Fit, Settings};
 use cdpr_calibration::{
     CourseStep, CrossValidation, CrossValidationError, ErrorBlocks, Evaluation, Examined, Loss, ObjectiveValues,
-    Progress, clock_warning, course, cross_validate, evaluate_fitted, evaluate_given, findings, frame_warning,
+    Progress, WorstCable, clock_warning, course, cross_validate, evaluate_fitted, evaluate_given, findings,
+    frame_warning,
 };
 use cdpr_model::finding::Finding;
 use cdpr_model::measurement::{Fold, Samples};
@@ -49,6 +50,8 @@ pub struct Identification {
     pub set_aside_warning: Option<String>,
     /// Findings about the fit, by data, numbers and statics.
     pub findings: Vec<Finding>,
+    /// Cable whose lengths the calibrated model gets worst on the samples of the fit.
+    pub worst_cable: Option<WorstCable>,
 }
 
 /// Identifies a model and judges it; `progress` is called after each start of each fit.
@@ -106,6 +109,7 @@ pub fn identify(
         frame_warning,
         set_aside_warning,
         findings: found,
+        worst_cable: errors.worst_cable(),
     })
 }
 

@@ -52,7 +52,10 @@ const ROWS: &[Row] = &[
         rule: Rule::Ignored,
     },
     // choices and names, though they have blanks
-    Row { keys: &["recommended", "best", "candidate", "name", "parameter", "free", "model"], rule: Rule::Exact },
+    Row {
+        keys: &["recommended", "best", "candidate", "name", "label", "parameter", "free", "model"],
+        rule: Rule::Exact,
+    },
     Row { keys: &["status", "code", "kind"], rule: Rule::Exact },
     Row { keys: &["condition", "condition_*"], rule: Rule::Condition },
     // what rounding leaves of sums of forces of thousands of newtons

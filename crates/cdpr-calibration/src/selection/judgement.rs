@@ -4,7 +4,7 @@ use thiserror::Error;
 
 use super::requirement::{Requirement, RequirementOutcome};
 use crate::candidate::Candidate;
-use crate::evaluation::{ErrorBlocks, Evaluation, EvaluationError};
+use crate::evaluation::{ErrorBlocks, Evaluation, EvaluationError, WorstCable};
 use crate::fit::{self, Fit};
 use crate::likelihood::Information;
 use crate::paired::Difference;
@@ -78,6 +78,13 @@ pub struct Judgement {
 }
 
 impl Judgement {
+    /// Cable whose lengths the candidate gets worst on validation data, without the samples set aside; `None` where none were held out.
+    pub fn worst_cable(&self) -> Option<WorstCable> {
+        let kept: Vec<usize> =
+            (0..self.validation_errors.len()).filter(|place| !self.set_aside.contains(place)).collect();
+        self.validation_errors.subset(&kept).worst_cable()
+    }
+
     /// Errors of a fit, on its own data and sample by sample on those that were held out; what is compared with others follows.
     pub(super) fn new(
         fit: Fit,

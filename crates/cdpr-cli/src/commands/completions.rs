@@ -41,6 +41,10 @@ impl Answer for Completions {
     fn words(&self, _width: Option<usize>) -> String {
         self.script.clone()
     }
+
+    fn is_verbatim(&self) -> bool {
+        true
+    }
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {

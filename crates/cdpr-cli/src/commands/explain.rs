@@ -47,8 +47,24 @@ struct Entry {
 
 impl Answer for Explained {
     fn words(&self, _width: Option<usize>) -> String {
-        format!("{}\n\n{}\n", self.code, self.explanation)
+        format!("{}\n\n{}\n", self.code, unwrapped(self.explanation.trim_end()))
     }
+}
+
+/// A page whose paragraphs are lines of their own, as they fold at the width of the terminal; what is indented stays as it is.
+fn unwrapped(page: &str) -> String {
+    let begins =
+        |line: &str| line.is_empty() || [" ", "Causes:", "Mend:"].iter().any(|beginning| line.starts_with(beginning));
+    let (mut text, mut before) = (String::new(), "");
+    for line in page.lines() {
+        let goes_on = !begins(line) && !before.is_empty() && !before.starts_with(' ');
+        if !text.is_empty() {
+            text.push(if goes_on { ' ' } else { '\n' });
+        }
+        text.push_str(line);
+        before = line;
+    }
+    text
 }
 
 impl Answer for Listed {

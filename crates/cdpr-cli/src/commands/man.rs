@@ -47,6 +47,10 @@ impl Answer for Written {
             }
         }
     }
+
+    fn is_verbatim(&self) -> bool {
+        self.page.is_some()
+    }
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {

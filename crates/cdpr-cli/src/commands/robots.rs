@@ -36,6 +36,10 @@ impl Answer for RobotFile {
     fn words(&self, _width: Option<usize>) -> String {
         self.toml.to_owned()
     }
+
+    fn is_verbatim(&self) -> bool {
+        true
+    }
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {

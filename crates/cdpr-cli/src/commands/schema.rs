@@ -50,6 +50,10 @@ impl Answer for Schema {
     fn words(&self, _width: Option<usize>) -> String {
         self.words.clone()
     }
+
+    fn is_verbatim(&self) -> bool {
+        true
+    }
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {

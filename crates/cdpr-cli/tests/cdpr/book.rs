@@ -12,6 +12,16 @@ fn chapter(name: &str) -> String {
     std::fs::read_to_string(&path).unwrap_or_else(|error| panic!("{}: {error}", path.display()))
 }
 
+/// All chapters, by their names.
+pub(super) fn chapters() -> Vec<String> {
+    let folder = Path::new(env!("CARGO_MANIFEST_DIR")).join("../../docs/book/src");
+    let mut names: Vec<String> =
+        std::fs::read_dir(folder).unwrap().map(|entry| entry.unwrap().file_name().into_string().unwrap()).collect();
+    names.retain(|name| name.ends_with(".md"));
+    names.sort_unstable();
+    names.iter().map(|name| chapter(name)).collect()
+}
+
 /// Names of all properties of a JSON Schema, nested ones too.
 fn keys(schema: &Value, found: &mut BTreeSet<String>) {
     match schema {
@@ -64,7 +74,7 @@ fn every_law_of_stretch_stands_in_the_tables_of_the_book_and_in_the_help() {
 }
 
 /// The lines `$ cdpr …` of console blocks, continued lines joined.
-fn commands(text: &str) -> Vec<String> {
+pub(super) fn commands(text: &str) -> Vec<String> {
     let mut found = Vec::new();
     let joined = text.replace("\\\n", " ");
     let mut in_console = false;

@@ -106,7 +106,7 @@ fn all_commands_agree_on_which_robots_have_a_forward_solution() {
     assert_eq!((evaluated.exit_code, &evaluated.json()["answered"]), (0, &8.into()), "{}", evaluated.stdout);
     // exact records of where it came to rest: the same equilibrium, to what the search leaves
     assert!(evaluated.json()["position_error_m"]["max"].as_f64().unwrap() < 1e-6, "{}", evaluated.stdout);
-    let checked = cdpr_in(folder.path(), "check four.toml").stdout;
+    let checked = cdpr_in(folder.path(), "check four.toml").prose();
     assert!(checked.contains("`fk` answers where cables and load are in equilibrium"), "{checked}");
 
     let forward = cdpr_in(folder.path(), &format!("fk weightless.toml --lengths {lengths} --format json"));
@@ -115,6 +115,6 @@ fn all_commands_agree_on_which_robots_have_a_forward_solution() {
     assert_eq!((accuracy.exit_code, &accuracy.json()["status"]), (1, &"not-converged".into()), "{}", accuracy.stdout);
     let evaluated = cdpr_in(folder.path(), "evaluate weightless.toml data.csv --format json");
     assert_eq!((evaluated.exit_code, &evaluated.json()["answered"]), (1, &0.into()), "{}", evaluated.stdout);
-    let checked = cdpr_in(folder.path(), "check weightless.toml").stdout;
+    let checked = cdpr_in(folder.path(), "check weightless.toml").prose();
     assert!(checked.contains("while the file states no load, `fk` calls it singular"), "{checked}");
 }

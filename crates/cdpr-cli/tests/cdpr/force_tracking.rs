@@ -22,7 +22,7 @@ fn accuracy_tells_how_far_tensions_are_from_the_commanded_ones() {
     near(&answer["position_error_m"]["mean"], 8.199e-3, 5e-7);
     near(&answer["tension_error_N"]["mean_norm"], 136.4, 0.05);
     near(&answer["tension_error_N"]["rms"], 95.2, 0.05);
-    let words = cdpr_in(folder.path(), &command).stdout;
+    let words = cdpr_in(folder.path(), &command).prose();
     assert!(words.contains("they miss the commanded ones by 136.4 N, the mean norm over the cables"), "{words}");
     let kinematic = cdpr_in(folder.path(), &format!("accuracy {} --format json", study("planar-wide-grid"))).json();
     assert!(kinematic["tension_error_N"].is_null());
@@ -142,7 +142,7 @@ fn force_control_that_an_identification_makes_worse_is_told_first() {
     let [circle, before] = ["planar-force-circle-identified.toml", "planar-force-circle.toml"].map(study);
     let caution = "force tracking is worse than with the control model before (planar-example (elastic)): tensions miss the commanded ones by \
                    50.6 → 166.9 N";
-    let words = run(&format!("accuracy {circle}")).stdout;
+    let words = run(&format!("accuracy {circle}")).prose();
     assert!(words.starts_with(&format!("Caution: {caution}")), "{words}");
     let answer = run(&format!("accuracy {circle} --format json")).json();
     assert!(answer["warnings"][0].as_str().unwrap().starts_with(caution), "{}", answer["warnings"]);
@@ -168,7 +168,7 @@ fn force_control_that_an_identification_makes_worse_is_told_first() {
         + "[prediction]\nrobot = \"planar-example\"\nmodel = \"elastic\"\n\
            [noise]\nposition_m = 1e-4\nlength_m = 1e-4\ntension_N = 10\n";
     std::fs::write(folder.path().join("own.toml"), own).unwrap();
-    let words = run("chain own.toml --report chain.html").stdout;
+    let words = run("chain own.toml --report chain.html").prose();
     let caution = "force tracking is worse than with the control model before (planar-example (elastic)): tensions miss the commanded ones by 136.4 → ";
     assert!(words.starts_with(&format!("Caution: {caution}")), "{words}");
     let answer = run("chain own.toml --format json").json();

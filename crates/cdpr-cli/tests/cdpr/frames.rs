@@ -37,9 +37,21 @@ fn recorded(folder: &Path) {
 }
 
 /// The doubts that an answer tells before anything else but its subject.
-fn doubts(answer: &str) -> Vec<&str> {
-    let lines = answer.lines().skip(1).skip_while(|line| line.starts_with("judged on"));
-    lines.map_while(|line| line.strip_prefix("caution: ")).collect()
+fn doubts(answer: &str) -> Vec<String> {
+    let mut doubts: Vec<String> = Vec::new();
+    let mut goes_on = false;
+    for line in answer.lines() {
+        match line.strip_prefix("caution: ") {
+            Some(doubt) => doubts.push(doubt.to_owned()),
+            // lines below a doubt that begin further right are folded from it
+            None if goes_on && line.starts_with("  ") => {
+                doubts.last_mut().unwrap().push_str(&format!(" {}", line.trim_start()));
+            }
+            None => {}
+        }
+        goes_on = line.starts_with("caution: ") || (goes_on && line.starts_with("  "));
+    }
+    doubts
 }
 
 /// True for an answer that doubts poses that need the frame of a tracker, before it distrusts what came of them.
@@ -109,7 +121,7 @@ fn select_frees_the_frame_that_poses_need_and_says_so_first() {
     assert_eq!(run.exit_code, 1, "{}{}", run.stdout, run.stderr);
     let place = |words: &str| run.stdout.find(words).unwrap_or_else(|| panic!("no `{words}` in {}", run.stdout));
     assert!(place("caution: frames: the poses fit the robot only with `tracker-frame`") < place("candidate "));
-    assert!(run.stdout.contains("not to be trusted: standard:frame-anchor,tracker-frame"), "{}", run.stdout);
+    assert!(run.stdout.contains("not to be trusted: rigid · frame anchors, tracker frame (24)"), "{}", run.stdout);
     // what a right angle makes of a symmetric robot is no permutation
     assert!(!run.stdout.contains("permuted"), "{}", run.stdout);
     let held = cdpr_in(folder.path(), &format!("{select} --hold tracker-frame,marker-frame --format json"));
@@ -132,7 +144,7 @@ fn a_mix_up_is_the_first_doubt_of_every_answer() {
     let select = format!("select {data} --split blocks:4 --candidates standard;standard:frame-anchor --out result");
     for command in [&identify, &select, &format!("evaluate {data} --model standard")] {
         let words = cdpr_in(folder.path(), command).stdout;
-        let first = doubts(&words)[0];
+        let first = &doubts(&words)[0];
         assert!(first.starts_with("swapped.csv: the cables look permuted"), "{command}: {words}");
         let answer = cdpr_in(folder.path(), &format!("{command} --format json")).json();
         let warnings = answer["warnings"].as_array().unwrap();

@@ -158,7 +158,7 @@ fn what_never_happens_and_what_cannot_be_is_warned_of() {
         "[machine]\nrobot = \"thin.toml\"\n[start]\npose = [0, 0, 1.5, 0, 0, 0]\n[time]\nduration_s = 0.01\n";
     std::fs::write(folder.path().join("scenario.toml"), scenario).unwrap();
     for command in ["run scenario.toml --out out", "modes thin.toml --pose 0,0,1.5,0,0,0", "check thin.toml"] {
-        let text = cdpr_in(folder.path(), command).stdout;
+        let text = cdpr_in(folder.path(), command).prose();
         assert!(text.contains("moments of inertia of 10.00, 20.00 and 67.20 kg·m²"), "{command}: {text}");
         let json = cdpr_in(folder.path(), &format!("{command} --format json")).json();
         assert!(json["warnings"].to_string().contains("triangle rule"), "{command}: {json}");

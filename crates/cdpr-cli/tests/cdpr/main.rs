@@ -54,6 +54,7 @@ mod tension;
 mod test_bench;
 mod undetermined_tensions;
 mod verdicts;
+mod width;
 mod winches;
 mod workspace;
 mod workspace_page;
@@ -97,6 +98,11 @@ fn run(command: &mut Command) -> Run {
 }
 
 impl Run {
+    /// Sentences on stdout, each in one line however they are folded.
+    fn prose(&self) -> String {
+        self.stdout.split_whitespace().collect::<Vec<_>>().join(" ")
+    }
+
     /// The one JSON object on stdout.
     fn json(&self) -> Value {
         let value: Value =

@@ -93,7 +93,7 @@ fn a_map_helps_by_rules_that_are_told() {
         let answer = run.json();
         assert_eq!(run.exit_code, i32::from(!is_smooth), "{}", run.stderr);
         let reason = answer["reason"].as_str().unwrap();
-        let words = cdpr_in(folder.path(), &format!("compensate planar-example {name}.csv")).stdout;
+        let words = cdpr_in(folder.path(), &format!("compensate planar-example {name}.csv")).prose();
         assert!(words.contains(reason), "{words}");
         for part in ["standard errors", "95 %", "position errors are"] {
             assert!(reason.contains(part), "{reason}");

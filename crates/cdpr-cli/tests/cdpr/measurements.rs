@@ -332,9 +332,14 @@ fn what_is_wrong_by_more_than_a_hundredth_of_the_robot_is_never_announced_as_goo
     let page = std::fs::read_to_string(folder.path().join("result/report.html")).unwrap();
     assert!(page.contains("verdict bad") && page.contains("not to be trusted"));
     let text = cdpr_in(folder.path(), &format!("select square.toml data.csv {candidates}")).stdout;
-    assert!(!text.contains("recommended:") && text.contains("not to be trusted: standard"), "{text}");
+    assert!(!text.contains("recommended:") && text.contains("not to be trusted: rigid · as given"), "{text}");
     let run = cdpr_in(folder.path(), "identify square.toml data.csv --free length-offset");
-    assert!(run.exit_code == 1 && run.stdout.contains("not to be trusted: the mean position error"), "{}", run.stdout);
+    assert!(
+        run.exit_code == 1
+            && run.stdout.contains("not to be trusted: rigid · offsets (4)\ncaution: the mean position error"),
+        "{}",
+        run.stdout
+    );
     // clean data as before
     std::fs::write(folder.path().join("data.csv"), samples_with(0.1)).unwrap();
     let run = cdpr_in(folder.path(), &format!("select square.toml data.csv {candidates} --format json"));

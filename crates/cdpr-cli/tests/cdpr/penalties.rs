@@ -72,7 +72,7 @@ fn one_orientation_proposes_a_point_and_writes_it() {
     without_turns(&folder);
     let run = identify(&folder, "--out-reduced point.toml --split kfold:5");
     assert!(run.stdout.contains("smaller model: 48 → 24 parameters, motion pattern 3R3T → 3T"), "{}", run.stdout);
-    assert!(run.stdout.contains("the rank is 24 of 48"), "{}", run.stdout);
+    assert!(run.prose().contains("the rank is 24 of 48"), "{}", run.stdout);
     let text = identify(&folder, "--split kfold:5 --format json").stdout;
     let answer: serde_json::Value = serde_json::from_str(&text).unwrap();
     let reduction = &answer["reduction"];
@@ -93,6 +93,6 @@ fn a_path_of_another_cost_is_refused_and_nothing_smaller_is_told() {
         assert_eq!(run.exit_code, 2, "{options}: {}", run.stdout);
     }
     let run = identify(&folder, "--out-reduced point.toml");
-    assert!(run.stdout.contains("point.toml is not written"), "{}", run.stdout);
+    assert!(run.prose().contains("point.toml is not written"), "{}", run.stdout);
     assert!(!folder.path().join("point.toml").exists());
 }

@@ -35,7 +35,7 @@ fn criteria_stand_side_by_side_and_say_where_they_disagree() {
     assert_eq!(held["samples"], 155);
     let page = std::fs::read_to_string(folder.path().join("result/report.html")).unwrap();
     assert!(page.contains("By other criteria") && page.contains("The criteria disagree:"));
-    let text = cdpr_in(folder.path(), &format!("{select} {candidates}")).stdout;
+    let text = cdpr_in(folder.path(), &format!("{select} {candidates} --verbose")).stdout;
     assert!(text.contains("the criteria disagree: ") && text.contains("ΔAIC"), "{text}");
     let refused = cdpr_in(folder.path(), "select data/robot.toml data/training.csv --regions 500");
     assert_eq!(refused.exit_code, 2);

@@ -220,7 +220,7 @@ fn weak_directions_and_bounds_are_told_wherever_a_candidate_is_named() {
     let line = run.stdout.lines().find(|line| line.starts_with("→")).unwrap();
     assert!(line.contains("weak directions, σ up to"), "the table: {}", run.stdout);
     let before = run.stdout.find("caution: ").unwrap();
-    assert!(before < run.stdout.find("has the smallest").unwrap(), "doubt before the good news: {}", run.stdout);
+    assert!(before < run.stdout.find("candidates by ").unwrap(), "doubts beside the verdict: {}", run.stdout);
     let answer = cdpr_in(folder.path(), &format!("{arguments} --format json")).json();
     let own = &answer["candidates"][0];
     assert!(own["weak_direction_count"].as_u64().unwrap() >= 4, "{own}");
@@ -287,7 +287,7 @@ fn outliers_are_told_before_the_good_news_everywhere() {
     let run = cdpr_in(folder.path(), &format!("select data/robot.toml dirty.csv --out result {arguments}"));
     assert_eq!(run.exit_code, 0, "{}", run.stderr);
     let place = |text: &str, words: &str| text.find(words).unwrap_or_else(|| panic!("`{words}` is not in {text}"));
-    assert!(place(&run.stdout, "caution: outliers: 3 of") < place(&run.stdout, "recommended with caution:"));
+    assert!(place(&run.stdout, "recommended with caution:") < place(&run.stdout, "caution: outliers: 3 of"));
     let lines = |outliers: &serde_json::Value| -> Vec<u64> {
         let keys = |outlier: &serde_json::Value| {
             assert!(outlier["residual_m"].as_f64().unwrap() > 0.05 && outlier["weight"].as_f64().unwrap() < 0.5);
@@ -308,7 +308,7 @@ fn outliers_are_told_before_the_good_news_everywhere() {
 
     let identify = "identify data/robot.toml dirty.csv --free frame-anchor,length-offset,length-scale";
     let told = cdpr_in(folder.path(), identify).stdout;
-    assert!(place(&told, "caution: outliers: 3 of") < place(&told, "converged, to be used"));
+    assert!(place(&told, "converged, to be used") < place(&told, "caution: outliers: 3 of"));
     let answer =
         cdpr_in(folder.path(), &format!("{identify} --format json")).json_with(&["outliers", "loss_threshold"]);
     assert_eq!(
@@ -347,7 +347,7 @@ fn what_the_ladder_leaves_out_and_what_got_worse_are_told() {
     assert!(untried.iter().any(|words| words.contains("`frame-anchor`")), "{untried:?}");
     let worse = words("warnings").find(|words| words.starts_with("worse than with `standard` as given")).unwrap();
     assert!(worse.contains("largest position error"), "{worse}");
-    let text = cdpr_in(folder.path(), arguments).stdout;
+    let text = cdpr_in(folder.path(), &format!("{arguments} --verbose")).prose();
     assert!(text.contains("not among the candidates: pulleys (") && text.contains(&worse), "{text}");
     let page = std::fs::read_to_string(folder.path().join("result/report.html")).unwrap();
     assert!(page.contains("Not among the candidates: pulleys") && page.contains("worse than with"));

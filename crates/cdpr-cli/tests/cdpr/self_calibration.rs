@@ -39,7 +39,9 @@ fn lengths_alone_calibrate_and_the_poses_found_are_data() {
     assert_eq!(run.exit_code, 0, "{}", run.stderr);
     let told = "no length changes by: shift along x, shift along y, turn about z";
     assert!(!run.stdout.contains("rated by other criteria"), "{}", run.stdout);
-    assert!(run.stdout.contains(told) && run.stdout.contains("rank 5 of 8"), "{}", run.stdout);
+    assert!(run.prose().contains(told), "{}", run.stdout);
+    let all = cdpr_in(folder.path(), &format!("{command} --verbose"));
+    assert!(all.prose().contains(told) && all.stdout.contains("rank 5 of 8"), "{}", all.stdout);
     let answer = cdpr_in(folder.path(), &format!("{command} --format json")).json();
     assert_eq!((answer["parameter_count"].as_u64(), answer["rank"].as_u64()), (Some(8), Some(5)));
     assert_eq!(answer["gauge"]["held"].as_array().unwrap().len(), 3);
@@ -98,7 +100,7 @@ fn candidates_are_compared_without_poses() {
     let run = cdpr_in(folder.path(), command);
     assert_eq!(run.exit_code, 0, "{}", run.stderr);
     let told = "the pose of a sample is what its own rows tell";
-    assert!(run.stdout.contains(told) && run.stdout.contains("mean cable-length error"), "{}", run.stdout);
+    assert!(run.prose().contains(told) && run.stdout.contains("mean cable-length error"), "{}", run.stdout);
     let answer = cdpr_in(folder.path(), &format!("{command} --format json")).json();
     assert_eq!((answer["criterion"].as_str(), answer["samples"].as_u64()), (Some("length"), Some(count as u64)));
     for candidate in answer["candidates"].as_array().unwrap() {

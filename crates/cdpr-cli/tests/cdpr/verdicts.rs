@@ -72,7 +72,7 @@ fn errors_of_ten_accuracies_are_not_trusted_by_status_exit_code_file_and_page() 
         assert_eq!((run.exit_code, run.json()["trusted"].as_bool()), (0, Some(false)), "{command}: {}", run.stdout);
     }
     let words = cdpr_in(folder.path(), "identify square.toml data.csv --free length-offset --sigma position_m=0.001");
-    assert!(words.stdout.contains("not to be trusted after"), "{}", words.stdout);
+    assert!(words.stdout.contains("not to be trusted: rigid · offsets (4)"), "{}", words.stdout);
 }
 
 /// Exact data are converged and recommended without a word of caution; parameters at a bound are a caution, not a no.

@@ -1,5 +1,6 @@
 //! The `--free` language: the parameters that identification may change.
 
+mod plain_words;
 #[cfg(test)]
 mod tests;
 

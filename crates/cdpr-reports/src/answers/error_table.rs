@@ -4,7 +4,7 @@ use cdpr_calibration::ErrorBlocks;
 use cdpr_model::control::{LengthErrorStatistics, PoseErrorStatistics, TensionErrorStatistics};
 use cdpr_model::geometry::MotionPattern;
 
-use crate::number_format::{cell, decimals_for};
+use crate::number_format::{NONE, cell, decimals_for, significant};
 use crate::table::Table;
 
 /// Source of the errors, which tells how many of their digits mean something.
@@ -99,6 +99,31 @@ pub(super) fn error_table(
             let values = read.iter().map(|own| quantity.cell(own.as_ref().map(|own| own[index].1)));
             let words = [first, name, quantity.unit].map(str::to_owned);
             table.row(words.into_iter().chain(values).collect());
+        }
+    }
+    table.text(width)
+}
+
+/// Errors in a row for each quantity, of which the mean is shown (of lengths the root mean square).
+pub(super) fn headline_errors(
+    pattern: MotionPattern,
+    columns: &[(&str, &ErrorBlocks)],
+    width: Option<usize>,
+) -> String {
+    let mut heading = vec!["error".to_owned()];
+    heading.extend(columns.iter().map(|(name, _)| (*name).to_owned()));
+    let mut table = Table::with_heading(heading);
+    for quantity in quantities() {
+        let statistic = if quantity.name == "length" { "rms" } else { "mean" };
+        let value =
+            |blocks: &ErrorBlocks| named(&(quantity.read)(blocks)?, statistic).filter(|value| value.is_finite());
+        let values: Vec<Option<f64>> = columns.iter().map(|(_, blocks)| value(blocks)).collect();
+        let is_shown = quantity.name != "rotation" || pattern.has_rotation();
+        if is_shown && values.iter().any(Option::is_some) {
+            let cells = values
+                .iter()
+                .map(|value| value.map_or_else(|| NONE.to_owned(), |value| significant(quantity.factor * value, 3)));
+            table.row([format!("{} {statistic} {}", quantity.name, quantity.unit)].into_iter().chain(cells).collect());
         }
     }
     table.text(width)

@@ -30,6 +30,10 @@ impl Answer for FirmwareAnswer {
             Some(out) => format!("{} lines of configuration of {} written to {out}\n", self.lines.len(), self.robot),
         }
     }
+
+    fn is_verbatim(&self) -> bool {
+        self.out.is_none()
+    }
 }
 
 /// Table of lengths for a controller.
@@ -76,6 +80,10 @@ impl Answer for TableAnswer {
         let Some(out) = &self.out else { return self.text.clone() };
         let map = self.compensation.as_ref().map_or_else(String::new, |file| format!(" corrected by {file}"));
         format!("lengths of {robot}, model {model}{map}, at {poses} poses written to {out}\n")
+    }
+
+    fn is_verbatim(&self) -> bool {
+        self.out.is_none()
     }
 }
 

@@ -1,5 +1,7 @@
 //! Parameters identified from measurements, with the errors that judge them.
 
+use cdpr_calibration::candidate::plain_name;
+use cdpr_calibration::fit::Estimate;
 use cdpr_calibration::selection::Warnings;
 use cdpr_calibration::{Doubt, DoubtKind, ErrorBlocks, Verdict, distrust};
 use cdpr_model::geometry::MotionPattern;
@@ -15,6 +17,7 @@ use super::objective_answer::ObjectiveAnswer;
 use super::path_answer::PathAnswer;
 use super::reduction_answer::ReductionAnswer;
 use super::scaling_answer::ScalingAnswer;
+use super::summary_parts::MOST_CHANGES;
 use crate::keys::{ErrorBlockKeys, IdentificationKeys, WarningKeys};
 use crate::report::Addition;
 
@@ -48,6 +51,15 @@ pub struct IdentificationAnswer {
     pub(super) scaling: Option<ScalingAnswer>,
     #[serde(skip)]
     pub(super) pattern: MotionPattern,
+    /// Effects and free parameters in plain words.
+    #[serde(skip)]
+    pub(super) label: String,
+    /// Warnings about what options asked for besides the fit.
+    #[serde(skip)]
+    pub(super) asked_remarks: Vec<String>,
+    /// Parameters that changed most.
+    #[serde(skip)]
+    pub(super) largest_changes: Vec<Estimate>,
 }
 
 /// Names of an identification's data, parameters and file, and what the reader is warned of.
@@ -84,7 +96,17 @@ impl IdentificationAnswer {
         warnings.remarks.extend(convergence_remark(&found.train, "training samples"));
         warnings.remarks.extend(found.validation.and_then(|blocks| convergence_remark(&blocks, "validation samples")));
         let verdict = Verdict::of_fit(&warnings.doubts);
+        // the text is the one of the parameters themselves
+        let free = told.free.parse().unwrap_or_default();
         Self {
+            label: plain_name(model.composition(), &free, Some(found.fit.parameters.len())),
+            largest_changes: found
+                .fit
+                .largest_changes(&found.train_samples, MOST_CHANGES)
+                .into_iter()
+                .cloned()
+                .collect(),
+            asked_remarks: Vec::new(),
             robot: model.robot().name.clone(),
             model: composition,
             told: Told { warnings, ..told },
@@ -106,7 +128,7 @@ impl IdentificationAnswer {
     /// The same with profiles and bootstrap, whose warning joins the others.
     #[must_use]
     pub fn with_uncertainty(mut self, uncertainty: UncertaintyAnswer) -> Self {
-        self.told.warnings.remarks.extend(uncertainty.bootstrap.iter().filter_map(|found| found.warning.clone()));
+        self.warn_of_asked(uncertainty.bootstrap.iter().filter_map(|found| found.warning.clone()));
         Self { uncertainty, ..self }
     }
 
@@ -118,8 +140,16 @@ impl IdentificationAnswer {
         reduction: Option<ReductionAnswer>,
         warning: Option<String>,
     ) -> Self {
-        self.told.warnings.remarks.extend(warning);
+        self.warn_of_asked(warning);
         Self { path, reduction, ..self }
+    }
+
+    /// Adds warnings about what options asked for, which the summary shows too.
+    fn warn_of_asked(&mut self, warnings: impl IntoIterator<Item = String>) {
+        for warning in warnings {
+            self.asked_remarks.push(warning.clone());
+            self.told.warnings.remarks.push(warning);
+        }
     }
 
     /// The same with the course of the fit.

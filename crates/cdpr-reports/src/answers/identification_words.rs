@@ -1,17 +1,20 @@
 //! An identification in tables and sentences.
 
-use cdpr_calibration::fit::Estimate;
+use cdpr_calibration::fit::{Estimate, Fit};
 use cdpr_calibration::selection::Warnings;
-use cdpr_calibration::{Analysis, ClockOffset, Doubt, Outlier, Verdict};
+use cdpr_calibration::{Analysis, ClockOffset, Doubt, ErrorBlocks, Outlier, Verdict};
 use cdpr_model::finding::Severity;
+use cdpr_study::Identification;
 
 use super::Answer;
 use super::error_table::{Source, error_table};
 use super::frame_words::{frame_words, shift_words};
 use super::identification_answer::IdentificationAnswer as Identified;
+use super::identification_summary::summary;
 use super::reduction_answer::ReductionAnswer;
 use super::start_words::start_words;
 use crate::number_format::{cell, decimals_for};
+use crate::paragraphs::Paragraphs;
 use crate::table::Table;
 
 impl Answer for Identified {
@@ -25,6 +28,10 @@ impl Answer for Identified {
 
     fn words(&self, width: Option<usize>) -> String {
         of(self, width)
+    }
+
+    fn summary(&self, width: usize) -> Option<Paragraphs> {
+        Some(summary(self, width))
     }
 }
 
@@ -48,13 +55,9 @@ fn of(answer: &Identified, width: Option<usize>) -> String {
             identifiability(&fit.analysis, parameter_count, fit.noise_factor)
         ));
     }
-    if let Some(ClockOffset { seconds: offset, sigma, .. }) = fit.clock_offset {
-        let side = if offset > 0.0 { "late" } else { "early" };
-        text.push_str(&format!(
-            "\nclocks: poses are recorded {:.2} ± {:.2} ms {side}\n",
-            1e3 * offset.abs(),
-            1e3 * sigma
-        ));
+    let clocks = clock_words(fit);
+    if !clocks.is_empty() {
+        text.push_str(&format!("\n{clocks}"));
     }
     if let Some(frames) = &fit.frames {
         text.push_str(&format!("\n{}", frame_words(frames)));
@@ -197,12 +200,24 @@ fn condition_number(number: f64) -> String {
     }
 }
 
-fn errors(answer: &Identified, width: Option<usize>) -> String {
-    let found = &answer.found;
+/// Offset of the clocks in a line; empty where it was not free.
+pub(super) fn clock_words(fit: &Fit) -> String {
+    let Some(ClockOffset { seconds: offset, sigma, .. }) = fit.clock_offset else { return String::new() };
+    let side = if offset > 0.0 { "late" } else { "early" };
+    format!("clocks: poses are recorded {:.2} ± {:.2} ms {side}\n", 1e3 * offset.abs(), 1e3 * sigma)
+}
+
+/// Errors before and after, of the fit and of what it did not see.
+pub(super) fn error_columns(found: &Identification) -> Vec<(&'static str, &ErrorBlocks)> {
     let mut columns = vec![("train before", &found.train_before), ("train after", &found.train)];
     if let (Some(before), Some(after)) = (&found.validation_before, &found.validation) {
         columns.extend([("validation before", before), ("validation after", after)]);
     }
+    columns
+}
+
+fn errors(answer: &Identified, width: Option<usize>) -> String {
+    let columns = error_columns(&answer.found);
     let note = answer.told.validation_data.iter().map(|name| format!("validation: {name}, not fitted to\n"));
     error_table(answer.pattern, &columns, Source::Measurements, width) + &note.collect::<String>()
 }

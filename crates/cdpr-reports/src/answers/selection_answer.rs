@@ -1,12 +1,13 @@
 //! The answer of a comparison of candidates.
 
-use cdpr_calibration::fit::ShiftEstimate;
+use cdpr_calibration::fit::{Estimate, ShiftEstimate};
 use cdpr_calibration::selection::{JudgedCandidate, Judgement, SelectionCriterion, Warnings};
-use cdpr_calibration::{Coverage, Outlier, RecordingFrames, Verdict, coverage};
+use cdpr_calibration::{Coverage, Outlier, RecordingFrames, Verdict, WorstCable, coverage};
 use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::RatingAnswer;
+use super::summary_parts::MOST_CHANGES;
 use crate::keys::{
     CoverageKeys, Each, JudgementKeys, Maybe, OutlierKeys, RecordingFrameKeys, ShiftKeys, WarningKeys, Word,
 };
@@ -65,6 +66,12 @@ pub struct SelectionAnswer<'a> {
     /// Changes of recorded lengths inside the record, of the same candidate, where they were free.
     #[serde(rename = "length_shifts", with = "Each::<ShiftKeys>", skip_serializing_if = "<[_]>::is_empty")]
     pub shifts: &'a [ShiftEstimate],
+    /// Parameters of the same candidate that changed most.
+    #[serde(skip)]
+    pub largest_changes: Vec<Estimate>,
+    /// Cable whose lengths the same candidate gets worst on validation data.
+    #[serde(skip)]
+    pub worst_cable: Option<WorstCable>,
     /// Seed of the bootstrap.
     pub seed: u64,
     /// Warnings for the reader, doubts about the outcome first.
@@ -98,6 +105,8 @@ pub struct Places {
 pub struct CandidateAnswer<'a> {
     /// Name.
     pub name: &'a str,
+    /// Name in plain words, with the number of free parameters.
+    pub label: String,
     /// Effects of the model.
     pub model: String,
     /// Free parameters.
@@ -183,6 +192,10 @@ impl<'a> SelectionAnswer<'a> {
             outliers: shown.map_or(&[], |judgement| &judgement.fit.outliers),
             frames: shown.and_then(|judgement| judgement.fit.frames.as_ref()),
             shifts: shown.map_or(&[], |judgement| &judgement.fit.shifts),
+            largest_changes: shown.map_or_else(Vec::new, |judgement| {
+                judgement.fit.largest_changes(told.samples, MOST_CHANGES).into_iter().cloned().collect()
+            }),
+            worst_cable: shown.and_then(Judgement::worst_cable),
             seed: told.seed,
             warnings,
             candidates,
@@ -203,6 +216,7 @@ impl<'a> CandidateAnswer<'a> {
     fn new(candidate: &'a JudgedCandidate) -> Self {
         Self {
             name: &candidate.name,
+            label: candidate.candidate.label(candidate.outcome.as_ref().ok().map(|own| own.fit.parameters.len())),
             model: candidate.candidate.composition.to_string(),
             free: candidate.candidate.free.to_string(),
             judged: candidate.outcome.as_ref().ok(),

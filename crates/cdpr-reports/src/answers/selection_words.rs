@@ -7,8 +7,10 @@ use super::error_table::convergence_remark;
 use super::frame_words::{frame_words, shift_words};
 use super::identification_words::doubt_words;
 use super::rating_answer::{above_least, has_others, largest};
+use super::selection_summary::summary;
 use super::{Answer, AsGiven, SelectionAnswer};
 use crate::number_format::{NONE, condition, significant};
+use crate::paragraphs::Paragraphs;
 use crate::report::{times, value_and_error};
 use crate::table::Table;
 
@@ -58,6 +60,10 @@ impl Answer for SelectionAnswer<'_> {
             text.push_str(&format!("\nresults written to {out}: open {out}/report.html\n"));
         }
         text
+    }
+
+    fn summary(&self, width: usize) -> Option<Paragraphs> {
+        Some(summary(self, width))
     }
 
     fn is_negative(&self) -> bool {

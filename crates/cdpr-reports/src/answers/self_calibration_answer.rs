@@ -1,5 +1,7 @@
 //! A robot calibrated without measured poses: JSON and words.
 
+use cdpr_calibration::candidate::plain_name;
+use cdpr_calibration::fit::Estimate;
 use cdpr_calibration::selection::Warnings;
 use cdpr_calibration::{Comparison, GaugeFixing, SelfCalibration, SensorFit, Verdict};
 use cdpr_model::model::Model;
@@ -11,43 +13,52 @@ use super::CourseAnswer;
 use super::PoseAnswer;
 use super::PoselessJudgement;
 use super::identification_words::{doubt_words, identifiability, parameters, verdict_words};
+use super::self_calibration_summary::summary;
 use super::start_words::start_words;
+use super::summary_parts::MOST_CHANGES;
 use crate::keys::{ComparisonKeys, Maybe, SelfCalibrationKeys, WarningKeys};
 use crate::number_format::significant;
+use crate::paragraphs::Paragraphs;
 use crate::report::Addition;
 
 /// Parameters found from lengths at unknown poses.
 #[derive(Serialize)]
 pub struct SelfCalibrationAnswer {
-    robot: String,
+    pub(super) robot: String,
     model: String,
     free: String,
-    data: String,
-    samples: usize,
+    pub(super) data: String,
+    pub(super) samples: usize,
     status: &'static str,
     trusted: bool,
     #[serde(skip)]
-    verdict: Verdict,
+    pub(super) verdict: Verdict,
     #[serde(flatten, with = "SelfCalibrationKeys")]
-    found: SelfCalibration,
+    pub(super) found: SelfCalibration,
     frame_anchors_m: Vec<Vec<f64>>,
     /// Poses at which the lengths fit best.
     poses: Vec<PoseAnswer>,
     /// Errors on samples that were not fitted to.
     #[serde(skip_serializing_if = "Option::is_none")]
-    validation: Option<PoselessJudgement>,
+    pub(super) validation: Option<PoselessJudgement>,
     /// Anchors beside those of another robot.
     #[serde(with = "Maybe::<ComparisonKeys>", skip_serializing_if = "Option::is_none")]
-    comparison: Option<Comparison>,
+    pub(super) comparison: Option<Comparison>,
     /// Course of the fit, where it is asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
-    course: Option<CourseAnswer>,
+    pub(super) course: Option<CourseAnswer>,
     #[serde(flatten, with = "WarningKeys")]
-    warnings: Warnings,
+    pub(super) warnings: Warnings,
     #[serde(skip_serializing_if = "Option::is_none")]
     out: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     out_poses: Option<String>,
+    /// Effects and free parameters in plain words.
+    #[serde(skip)]
+    pub(super) label: String,
+    /// Parameters that changed most.
+    #[serde(skip)]
+    pub(super) largest_changes: Vec<Estimate>,
 }
 
 impl SelfCalibrationAnswer {
@@ -64,7 +75,11 @@ impl SelfCalibrationAnswer {
         let verdict = Verdict::of_fit(&warnings.doubts);
         let axes = model.axes();
         let anchor = |cable: &cdpr_model::robot::Cable| axes.iter().map(|axis| axis.dot(&cable.frame_anchor)).collect();
+        // the text is the one of the parameters themselves
+        let named = free.parse().unwrap_or_default();
         Self {
+            label: plain_name(model.composition(), &named, Some(found.parameter_count)),
+            largest_changes: found.fit.largest_changes(&found.samples, MOST_CHANGES).into_iter().cloned().collect(),
             robot: model.robot().name.clone(),
             model: model.composition().to_string(),
             free,
@@ -118,7 +133,7 @@ impl SelfCalibrationAnswer {
     }
 
     /// Motions that the data leave free, and parameters that fix them.
-    fn gauge_words(&self) -> String {
+    pub(super) fn gauge_words(&self) -> String {
         let GaugeFixing { kind, motions, held, at_origin, .. } = &self.found.gauge;
         let mut text = String::new();
         if *at_origin {
@@ -135,9 +150,20 @@ impl SelfCalibrationAnswer {
         }
         text
     }
+
+    /// Files that are written.
+    pub(super) fn file_words(&self) -> String {
+        let files = [("calibrated robot", &self.out), ("samples with the poses found", &self.out_poses)];
+        let line = |(what, path): (&str, &Option<String>)| Some(format!("{what} written to {}\n", path.as_ref()?));
+        files.into_iter().filter_map(line).collect()
+    }
 }
 
 impl Answer for SelfCalibrationAnswer {
+    fn summary(&self, width: usize) -> Option<Paragraphs> {
+        Some(summary(self, width))
+    }
+
     fn is_negative(&self) -> bool {
         self.verdict.is_negative()
     }
@@ -161,11 +187,7 @@ impl Answer for SelfCalibrationAnswer {
             fit.reason
         ));
         text.push_str(&format!("ended by {}\n", fit.stopped_by));
-        text.push_str(&format!(
-            "lengths: {} mm rms, sum of squares {} mm²\n",
-            significant(1e3 * found.length_rms_m, 3),
-            significant(1e6 * found.cost_m2, 6)
-        ));
+        text.push_str(&length_words(found));
         found.sensors.iter().for_each(|fit| text.push_str(&sensor_words(fit)));
         text.push_str(&self.gauge_words());
         text.extend(self.validation.iter().map(PoselessJudgement::words));
@@ -181,15 +203,19 @@ impl Answer for SelfCalibrationAnswer {
             remarks.iter().for_each(|warning| text.push_str(&format!("  {warning}\n")));
         }
         text.push_str(&start_words(&fit.starts, width));
-        for (what, path) in [("calibrated robot", &self.out), ("samples with the poses found", &self.out_poses)] {
-            text.extend(path.iter().map(|path| format!("\n{what} written to {path}\n")));
-        }
+        self.file_words().lines().for_each(|line| text.push_str(&format!("\n{line}\n")));
         text
     }
 }
 
+/// Residuals of the lengths.
+pub(super) fn length_words(found: &SelfCalibration) -> String {
+    let (rms, squares) = (significant(1e3 * found.length_rms_m, 3), significant(1e6 * found.cost_m2, 6));
+    format!("lengths: {rms} mm rms, sum of squares {squares} mm²\n")
+}
+
 /// Residuals of a sensor beside the accuracy that weighs them.
-fn sensor_words(fit: &SensorFit) -> String {
+pub(super) fn sensor_words(fit: &SensorFit) -> String {
     let SensorFit { sensor, unit, rms, sigma, is_stated, .. } = fit;
     let (factor, unit) = match *unit {
         "m" => (1e3, "mm"),
@@ -202,7 +228,7 @@ fn sensor_words(fit: &SensorFit) -> String {
 }
 
 /// Anchors beside those of another robot.
-fn comparison_words(comparison: &Comparison) -> String {
+pub(super) fn comparison_words(comparison: &Comparison) -> String {
     let Comparison { robot, rms_m, scale, is_mirrored, .. } = comparison;
     let mirrored = if *is_mirrored { " (mirrored)" } else { "" };
     format!(

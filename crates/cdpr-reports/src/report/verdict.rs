@@ -25,12 +25,13 @@ pub(super) fn verdict(page: &ReportPage<'_>, shown: Option<&Shown<'_>>) -> Value
     };
     let warnings: Value = warnings.iter().map(|warning| prose(warning)).collect();
     let Some(shown) = shown else {
-        return context! { class, heading, name => "", line => "", comparison => "", requirements => no_values(), warnings, folded, reason, is_long };
+        return context! { class, heading, name => "", label => "", line => "", comparison => "", requirements => no_values(), warnings, folded, reason, is_long };
     };
     let requirements: Value = shown.judgement.requirements.iter().map(requirement).collect();
     let name = Cell::code(shown.name).into_text();
+    let label = prose(&page.answer.candidates[shown.index].label);
     let comparison = prose(&comparison(page, shown));
-    context! { class, heading, name, line => line(page, shown), comparison, requirements, warnings, folded, reason, is_long }
+    context! { class, heading, name, label, line => line(page, shown), comparison, requirements, warnings, folded, reason, is_long }
 }
 
 /// Class and heading: good without any doubt only.
