@@ -60,10 +60,11 @@ mod tests {
     /// A label in place of a name tells candidates apart as the name does.
     #[test]
     fn no_two_candidates_of_a_ladder_share_a_label() {
-        use crate::candidate::{Ladder, PlatformAnchors, defaults};
+        use crate::candidate::{KnownTensions, Ladder, PlatformAnchors, defaults};
         let robot =
             cdpr_model::robot::Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
-        let ladder = defaults(&robot, Ladder { with_tensions: true, platform_anchors: PlatformAnchors::Free });
+        let ladder =
+            defaults(&robot, Ladder { tensions: KnownTensions::Recorded, platform_anchors: PlatformAnchors::Free });
         let labels: std::collections::BTreeSet<String> = ladder.iter().map(|own| own.label(None)).collect();
         assert_eq!(labels.len(), ladder.len(), "{labels:?}");
     }

@@ -3,14 +3,13 @@
 use nalgebra::{DMatrix, DVector, Vector3};
 
 use super::equations::Equation;
-use super::partial_poses::moved_component;
 use crate::gauge_convention::GaugeConvention;
 use crate::residual::rows::Rows;
 use cdpr_model::geometry::Twist;
 use cdpr_model::measurement::InternalSamples;
 use cdpr_model::model::Model;
 use cdpr_model::reading::Keyword;
-use cdpr_model::robot::{Parameter, ParameterKind};
+use cdpr_model::robot::{Component, Frame, Parameter, ParameterKind};
 use cdpr_model::scalar::decomposition::svd;
 
 /// Change of the rows below which a motion changes none, beside the sizes that add up to it.
@@ -43,9 +42,9 @@ pub struct GaugeFixing {
 }
 
 /// A shift and a turn about an origin.
-pub(super) struct Rigid {
-    pub(super) shift: Vector3<f64>,
-    pub(super) turn: Vector3<f64>,
+struct Rigid {
+    shift: Vector3<f64>,
+    turn: Vector3<f64>,
 }
 
 /// Gauge of free parameters.
@@ -274,6 +273,16 @@ impl Apart {
             self.0.push(left.normalize());
         }
         is_new
+    }
+}
+
+/// Change of a component of a frame where everything that it stands in moves by a shift and a turn about the origin.
+fn moved_component(frame: &Frame, component: &Component, motion: &Rigid) -> f64 {
+    match component {
+        Component::Shift(axis) => axis.dot(&(motion.shift + motion.turn.cross(&frame.position))),
+        Component::Turn(axis) => {
+            frame.turn_by_vector().try_inverse().map_or(0.0, |by_turn| axis.dot(&(by_turn * motion.turn)))
+        }
     }
 }
 

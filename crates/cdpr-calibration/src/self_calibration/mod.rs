@@ -16,7 +16,7 @@ mod gauge;
 mod held;
 mod internal;
 mod left_out;
-pub(crate) mod partial_poses;
+mod partial_poses;
 mod predicted_band;
 mod question;
 mod sensor_fit;

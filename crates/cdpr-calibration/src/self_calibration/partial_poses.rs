@@ -1,13 +1,11 @@
 //! Poses that a tracker tells in part, in frames of its own: which components of the frames are free, and where searches begin.
 
-use super::question::Question;
 use crate::fit::{InputError, Settings, check_recording, start_by_positions};
-use cdpr_model::geometry::Pose;
 use cdpr_model::measurement::InternalSamples;
 use cdpr_model::model::{FreeParameters, Model, RecordingParameter};
-use cdpr_model::robot::{Component, Frame, Parameter, ParameterKind, TrackedFrames};
+use cdpr_model::robot::{Component, Parameter, ParameterKind, TrackedFrames};
 
-/// What a record has of poses.
+/// Parts of poses that a record has.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
 struct Measured {
     positions: bool,
@@ -32,27 +30,24 @@ impl Measured {
     }
 }
 
-impl Question<'_> {
-    /// Frames that are free and not held, of a record that tells poses in part; refused where it tells nothing of them.
-    pub(super) fn freed_frames(
-        model: &Model,
-        internal: &InternalSamples,
-        free: &FreeParameters,
-        settings: &Settings,
-    ) -> Result<Vec<RecordingParameter>, InputError> {
-        let is_free =
-            |frame: &RecordingParameter| free.names_recording(*frame) && !settings.hold.names_recording(*frame);
-        let freed: Vec<RecordingParameter> = RecordingParameter::FRAMES.into_iter().filter(is_free).collect();
-        check_recording(&free.without_recording(&RecordingParameter::FRAMES), settings)?;
-        let (Some(first), measured) = (freed.first(), Measured::of(model, internal)) else { return Ok(freed) };
-        if !(measured.positions || measured.orientations) {
-            return Err(InputError::FramesOfNothing { name: first.name() });
-        }
-        if freed.contains(&RecordingParameter::MarkerFrame) && !model.robot().motion_pattern.has_rotation() {
-            return Err(InputError::MarkerOfPoint);
-        }
-        Ok(freed)
+/// Frames that are free and not held, of a record that tells poses in part; refused where it tells nothing of them.
+pub(super) fn freed_frames(
+    model: &Model,
+    internal: &InternalSamples,
+    free: &FreeParameters,
+    settings: &Settings,
+) -> Result<Vec<RecordingParameter>, InputError> {
+    let is_free = |frame: &RecordingParameter| free.names_recording(*frame) && !settings.hold.names_recording(*frame);
+    let freed: Vec<RecordingParameter> = RecordingParameter::FRAMES.into_iter().filter(is_free).collect();
+    check_recording(&free.without_recording(&RecordingParameter::FRAMES), settings)?;
+    let (Some(first), measured) = (freed.first(), Measured::of(model, internal)) else { return Ok(freed) };
+    if !(measured.positions || measured.orientations) {
+        return Err(InputError::FramesOfNothing { name: first.name() });
     }
+    if freed.contains(&RecordingParameter::MarkerFrame) && !model.robot().motion_pattern.has_rotation() {
+        return Err(InputError::MarkerOfPoint);
+    }
+    Ok(freed)
 }
 
 /// The model with frames that searches begin from: in closed form by positions and the poses that lengths give, where these are enough of them.
@@ -94,27 +89,4 @@ pub(super) fn frame_parameters(
         (0..kind.components(robot)).filter(is_shown).map(move |axis| Parameter { cable: 0, kind, axis })
     };
     freed.iter().map(kind).flat_map(components).collect()
-}
-
-/// Pose of the platform from which searches begin where a tracker has measured some components of its own: the others are those of the home pose.
-pub(crate) fn platform_near(frames: &TrackedFrames, measured: &Pose, known: &[bool], home: &Pose) -> Pose {
-    let turns_known = known.get(3..).is_some_and(|turns| turns.iter().any(|known| *known));
-    let (tracker, marker) = (frames.tracker.pose(), frames.marker.pose());
-    let rotation = match turns_known {
-        true => tracker.rotation * measured.rotation * marker.rotation.inverse(),
-        false => home.rotation,
-    };
-    let position = tracker.transform(&measured.position) - rotation * marker.position;
-    let is_placed = known.iter().take(3).all(|known| *known);
-    Pose { position: if is_placed { position } else { home.position }, rotation }
-}
-
-/// Change of a component of a frame where everything that it stands in moves by a shift and a turn about the origin.
-pub(super) fn moved_component(frame: &Frame, component: &Component, motion: &super::gauge::Rigid) -> f64 {
-    match component {
-        Component::Shift(axis) => axis.dot(&(motion.shift + motion.turn.cross(&frame.position))),
-        Component::Turn(axis) => {
-            frame.turn_by_vector().try_inverse().map_or(0.0, |by_turn| axis.dot(&(by_turn * motion.turn)))
-        }
-    }
 }

@@ -4,7 +4,7 @@ use super::equations::Equation;
 use super::found::modelled_length;
 use super::gauge::Gauge;
 use super::internal::Sensing;
-use super::partial_poses::{frame_parameters, with_frames};
+use super::partial_poses::{frame_parameters, freed_frames, with_frames};
 use crate::fit::{
     ASSUMED_NOISE, InputError, Settings, check_motor_angles, check_question, checked_parameters, prior_sigma,
 };
@@ -119,7 +119,7 @@ impl<'a> Question<'a> {
         free: &FreeParameters,
         settings: &'a Settings,
     ) -> Result<Self, InputError> {
-        let freed = Self::freed_frames(model, internal, free, settings)?;
+        let freed = freed_frames(model, internal, free, settings)?;
         let model = &with_frames(model, internal, &freed)?;
         let free = &free.without_recording(&RecordingParameter::FRAMES);
         check_question(model, &internal.samples, settings)?;

@@ -8,7 +8,10 @@ use std::fmt;
 use std::str::FromStr;
 
 use super::length_shifts::FreeShift;
-use super::{Composition, LengthShift, Model, ParameterError, ShiftCourse, SpanEffect, StretchEffect};
+use super::parameter_names::known_names;
+use super::{
+    Composition, LengthShift, Model, ParameterError, RecordingParameter, ShiftCourse, SpanEffect, StretchEffect,
+};
 use crate::robot::{Head, Parameter, ParameterKind};
 
 /// Selection of parameters, free or held: kinds, each for all cables or for some.
@@ -20,33 +23,6 @@ pub struct FreeParameters {
     recording: [bool; RecordingParameter::ALL.len()],
     /// Free changes of recorded lengths inside a record.
     shifts: Vec<FreeShift>,
-}
-
-/// Parameter of a recording, not of its robot.
-#[derive(Clone, Copy, Debug, PartialEq, Eq)]
-pub enum RecordingParameter {
-    /// Offset of the clocks of winches and tracker (s).
-    ClockOffset,
-    /// Pose of the tracker's world in the robot's frame.
-    TrackerFrame,
-    /// Pose of the tracked marker on the platform.
-    MarkerFrame,
-}
-
-impl RecordingParameter {
-    /// All parameters of a recording.
-    pub const ALL: [Self; 3] = [Self::ClockOffset, Self::TrackerFrame, Self::MarkerFrame];
-    /// Parameters that turn measured poses into poses of the platform.
-    pub const FRAMES: [Self; 2] = [Self::TrackerFrame, Self::MarkerFrame];
-
-    /// Name in lists of parameters.
-    pub fn name(self) -> &'static str {
-        match self {
-            Self::ClockOffset => "clock-offset",
-            Self::TrackerFrame => "tracker-frame",
-            Self::MarkerFrame => "marker-frame",
-        }
-    }
 }
 
 /// The kind with this name, if identification may free it; otherwise an error.
@@ -72,9 +48,7 @@ pub fn missing_effect(kind: ParameterKind, composition: Composition) -> Option<&
 impl FreeParameters {
     /// Names of all parameters that may be free.
     pub fn known_names() -> impl Iterator<Item = &'static str> {
-        let of_recording = RecordingParameter::ALL.into_iter().map(RecordingParameter::name);
-        let of_record = of_recording.chain(ShiftCourse::NAMES);
-        of_record.chain(ParameterKind::IDENTIFIED.into_iter().map(ParameterKind::name))
+        known_names()
     }
 
     /// A selection of these kinds for every cable.

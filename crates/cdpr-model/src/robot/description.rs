@@ -6,7 +6,9 @@ use cdpr_core::cable::elasticity::StiffnessBasis;
 use nalgebra::{Matrix3, Vector3};
 use serde::{Deserialize, Serialize};
 
-use super::{Assumption, Axis, CableStiffness, CableWinch, HysteresisTable, Obstacle, Pulley, Source, TrackedFrames};
+use super::{
+    Assumption, Axis, CableStiffness, CableWinch, Component, HysteresisTable, Obstacle, Pulley, Source, TrackedFrames,
+};
 use crate::geometry::{MotionPattern, Plane, Pose, Wrench};
 
 /// A cable robot as its file describes it. A number that the file does not state is `None`: unknown, never zero.
@@ -48,6 +50,18 @@ pub struct Robot {
     pub calibration: Option<Calibration>,
     /// Frames of the recording that a calibration found them with; no part of the robot file.
     pub tracked: Option<TrackedFrames>,
+}
+
+impl Robot {
+    /// Direction of a component of a frame in this robot's space: along its axes, then about them; in a plane about its normal. `None` beyond them.
+    pub fn frame_component(&self, index: usize) -> Option<Component> {
+        Component::of(self.motion_pattern, self.plane, index)
+    }
+
+    /// Number of components of a frame in this robot's space.
+    pub fn frame_components(&self) -> usize {
+        if self.motion_pattern.is_planar() { 3 } else { 6 }
+    }
 }
 
 /// Calibration that a robot's numbers come from.

@@ -2,8 +2,7 @@
 
 use nalgebra::{Matrix3, UnitQuaternion, Vector3};
 
-use super::Robot;
-use crate::geometry::{Pose, Twist, inverse, product};
+use crate::geometry::{MotionPattern, Plane, Pose, Twist, inverse, product};
 
 /// Turn below which a series replaces closed forms (rad).
 const SMALL: f64 = 1e-4;
@@ -103,22 +102,15 @@ impl TrackedFrames {
     }
 }
 
-impl Robot {
-    /// Direction of a component of a frame in this robot's space: along its axes, then about them; in a plane about its normal. `None` beyond them.
-    pub fn frame_component(&self, index: usize) -> Option<Component> {
-        let basis = self.motion_pattern.twist_basis(self.plane);
-        let axes: Vec<Vector3<f64>> = basis.iter().map(|twist| twist.fixed_rows::<3>(0).into_owned()).collect();
-        let axes = &axes[..self.motion_pattern.translations()];
-        match (axes.get(index), self.motion_pattern.is_planar()) {
-            (Some(axis), _) => Some(Component::Shift(*axis)),
-            (None, true) => (index == axes.len()).then(|| Component::Turn(self.plane.normal())),
-            (None, false) => (index < 6).then(|| Component::Turn(Vector3::ith(index - 3, 1.0))),
+impl Component {
+    /// Component of a frame in the space of a pattern: along its axes, then about them; in a plane about its normal. `None` beyond them.
+    pub(crate) fn of(pattern: MotionPattern, plane: Plane, index: usize) -> Option<Self> {
+        let basis = pattern.twist_basis(plane);
+        match (index.checked_sub(pattern.translations()), pattern.is_planar()) {
+            (None, _) => Some(Self::Shift(basis[index].fixed_rows::<3>(0).into_owned())),
+            (Some(turn), true) => (turn == 0).then(|| Self::Turn(plane.normal())),
+            (Some(turn), false) => (turn < 3).then(|| Self::Turn(Vector3::ith(turn, 1.0))),
         }
-    }
-
-    /// Number of components of a frame in this robot's space.
-    pub fn frame_components(&self) -> usize {
-        if self.motion_pattern.is_planar() { 3 } else { 6 }
     }
 }
 

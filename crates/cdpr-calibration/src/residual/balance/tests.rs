@@ -325,7 +325,7 @@ fn slack_cables_give_no_rows() {
     let robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").unwrap();
     let model = Model::new(robot, Composition::ELASTIC).unwrap();
     let load = Load::of(model.robot()).unwrap();
-    let sigmas = Sigmas { position: 1e-3, rotation: 1e-3, length: 2e-4, tension: 50.0 };
+    let sigmas = Sigmas { position: 1e-3, rotation: 1e-3, length: 2e-4, tension: 50.0, slack: 200.0 };
     let mut noise = Noise::new(&model);
     let mut rows_at = |tensions: [f64; 8]| {
         RowModel::new(&model, load, &[]).noise(&pose(), &tensions, &sigmas, &mut noise);

@@ -279,7 +279,7 @@ struct Rest<'a> {
     basis: Matrix6<f64>,
     pose: Pose,
     rotation: Matrix3<f64>,
-    /// What the cables balance there; `None` where they only keep their lengths.
+    /// The load that the cables balance there; `None` where they only keep their lengths.
     load: Option<Load>,
     cables: Vec<RestCable>,
     /// K_wx⁻¹: change of the pose, in the directions of the pattern, with a wrench (world); zeros behind them.

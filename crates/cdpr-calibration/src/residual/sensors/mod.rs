@@ -24,11 +24,10 @@ use super::balance::rows::RowModel;
 use super::poseless::{guess, orthonormalise};
 use super::rows::{Layout, Rows};
 use super::{Latent, Poseless, Residual};
-use crate::self_calibration::partial_poses::platform_near;
 use cdpr_model::geometry::{Pose, Twist};
 use cdpr_model::measurement::{InternalSamples, SensorSigmas};
 use cdpr_model::model::Model;
-use cdpr_model::robot::Parameter;
+use cdpr_model::robot::{Parameter, TrackedFrames};
 use cdpr_model::statics::Load;
 
 /// Residuals of all sensors at the poses and tensions where they agree best.
@@ -282,6 +281,19 @@ impl<'a> SensorResidual<'a> {
 fn measured_count(model: &Model, weights: &Weights, known: &[bool]) -> usize {
     let is_row = |(twist, own): &(&Twist, &bool)| **own && weights.along(twist, known) > 0.0;
     model.twist_basis().iter().zip(known).filter(is_row).count()
+}
+
+/// Pose of the platform from which searches begin where a tracker has measured some components of its own: the others are those of the home pose.
+fn platform_near(frames: &TrackedFrames, measured: &Pose, known: &[bool], home: &Pose) -> Pose {
+    let turns_known = known.get(3..).is_some_and(|turns| turns.iter().any(|known| *known));
+    let (tracker, marker) = (frames.tracker.pose(), frames.marker.pose());
+    let rotation = match turns_known {
+        true => tracker.rotation * measured.rotation * marker.rotation.inverse(),
+        false => home.rotation,
+    };
+    let position = tracker.transform(&measured.position) - rotation * marker.position;
+    let is_placed = known.iter().take(3).all(|known| *known);
+    Pose { position: if is_placed { position } else { home.position }, rotation }
 }
 
 impl Poseless for SensorResidual<'_> {

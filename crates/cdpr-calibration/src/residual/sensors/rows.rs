@@ -232,7 +232,7 @@ struct Measured<'a> {
     weight: f64,
 }
 
-/// What a tracker sees of the platform at a pose, beside what it has measured.
+/// The platform as a tracker sees it at a pose, beside what it has measured.
 struct Seen {
     /// From the measured pose to the one that it should see (its own axes).
     error: Twist,

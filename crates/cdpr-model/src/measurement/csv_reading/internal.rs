@@ -12,7 +12,7 @@ use crate::robot::Robot;
 
 /// Columns of orientations.
 const ORIENTATIONS: [&str; 8] = ["qx", "qy", "qz", "qw", "rx_rad", "ry_rad", "rz_rad", "angle_rad"];
-/// What positions without orientations are.
+/// Remark on positions without orientations.
 const POSITIONS_ALONE: &str = "positions without orientation, as of one reflector: orientations are found with the parameters; if the reflector is not at the \
     platform's origin free `marker-frame`, if the tracker's world is not the robot's free `tracker-frame`";
 

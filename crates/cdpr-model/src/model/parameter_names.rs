@@ -1,15 +1,49 @@
-//! Lists of free parameters that cannot be read or do not fit a model, with what was meant.
+//! Names of parameters that may be free, and errors about lists of them, with what was meant.
 
 use thiserror::Error;
 
-use super::FreeParameters;
+use super::ShiftCourse;
 use crate::robot::ParameterKind;
+
+/// Parameter of a recording, not of its robot.
+#[derive(Clone, Copy, Debug, PartialEq, Eq)]
+pub enum RecordingParameter {
+    /// Offset of the clocks of winches and tracker (s).
+    ClockOffset,
+    /// Pose of the tracker's world in the robot's frame.
+    TrackerFrame,
+    /// Pose of the tracked marker on the platform.
+    MarkerFrame,
+}
+
+impl RecordingParameter {
+    /// All parameters of a recording.
+    pub const ALL: [Self; 3] = [Self::ClockOffset, Self::TrackerFrame, Self::MarkerFrame];
+    /// Parameters that turn measured poses into poses of the platform.
+    pub const FRAMES: [Self; 2] = [Self::TrackerFrame, Self::MarkerFrame];
+
+    /// Name in lists of parameters.
+    pub fn name(self) -> &'static str {
+        match self {
+            Self::ClockOffset => "clock-offset",
+            Self::TrackerFrame => "tracker-frame",
+            Self::MarkerFrame => "marker-frame",
+        }
+    }
+}
+
+/// Names of all parameters that may be free.
+pub(super) fn known_names() -> impl Iterator<Item = &'static str> {
+    let of_recording = RecordingParameter::ALL.into_iter().map(RecordingParameter::name);
+    let of_record = of_recording.chain(ShiftCourse::NAMES);
+    of_record.chain(ParameterKind::IDENTIFIED.into_iter().map(ParameterKind::name))
+}
 
 /// A list of parameters that cannot be read or does not fit the model.
 #[derive(Clone, Debug, PartialEq, Error)]
 pub enum ParameterError {
     /// An unknown name.
-    #[error("`{name}` is not a parameter; known are {}{}", FreeParameters::known_names().collect::<Vec<_>>().join(", "), suggestion(.name))]
+    #[error("`{name}` is not a parameter; known are {}{}", known_names().collect::<Vec<_>>().join(", "), suggestion(.name))]
     UnknownName {
         /// The word found.
         name: String,
@@ -89,7 +123,7 @@ pub enum ParameterError {
 /// Names that a word probably meant, as the end of a sentence: those that hold it, or the closest.
 fn suggestion(name: &str) -> String {
     let stem = name.strip_suffix('s').unwrap_or(name);
-    let holding: Vec<String> = FreeParameters::known_names()
+    let holding: Vec<String> = known_names()
         .filter(|known| stem.len() > 3 && known.contains(stem))
         .map(|known| format!("`{known}`"))
         .collect();
@@ -97,7 +131,7 @@ fn suggestion(name: &str) -> String {
         return format!("; did you mean {}?", holding.join(" or "));
     }
     let close = |known: &&str| strsim::jaro_winkler(known, name);
-    match FreeParameters::known_names().max_by(|a, b| close(a).total_cmp(&close(b))) {
+    match known_names().max_by(|a, b| close(a).total_cmp(&close(b))) {
         Some(known) if close(&known) > 0.75 => format!("; did you mean `{known}`?"),
         _ => String::new(),
     }
