@@ -8,7 +8,9 @@ mod words;
 use cdpr_model::robot::ParameterKind;
 use cdpr_study::sensitivity::Kind;
 
-pub use answer::{AllowedAnswer, DifferencePose, Linear, ParameterAnswer, SensitivityAnswer, ToleranceAnswer};
+pub use answer::{
+    AllowedAnswer, DifferencePose, Linear, ParameterAnswer, SameError, SensitivityAnswer, ToleranceAnswer,
+};
 pub use map::map;
 
 /// A step that people think in: what it is in the unit of the kind, and its words.
