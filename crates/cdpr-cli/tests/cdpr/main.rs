@@ -34,6 +34,7 @@ mod measurements;
 mod mistaken_inputs;
 mod newcomer;
 mod objectives;
+mod other_kinds;
 mod penalties;
 mod planning;
 mod rating;
