@@ -12,6 +12,7 @@ pub use answer::{
     AllowedAnswer, DifferencePose, Linear, ParameterAnswer, SameError, SensitivityAnswer, ToleranceAnswer,
 };
 pub use map::map;
+pub(crate) use words::amount;
 
 /// A step that people think in: what it is in the unit of the kind, and its words.
 pub fn step(kind: Kind) -> (f64, &'static str) {

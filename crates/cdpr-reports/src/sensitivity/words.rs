@@ -11,7 +11,7 @@ use crate::number_format::{NONE, significant};
 use crate::table::Table;
 
 /// A deviation in the unit that people think in.
-fn amount(value: f64, unit: &str) -> String {
+pub(crate) fn amount(value: f64, unit: &str) -> String {
     let (factor, unit) = match unit {
         "m" => (1e3, "mm"),
         "1" => (1e2, "%"),
