@@ -148,7 +148,13 @@ fn robot_in(bytes: &[u8], name: &str) -> Option<String> {
     let Some(Content::Toml(table)) = Content::of(bytes) else { return None };
     let robot = table.get("machine")?.get("robot")?.as_str()?;
     let folder = Path::new(name).parent().unwrap_or(Path::new(""));
-    Some(crate::study_file::robot_path(robot, folder))
+    Some(robot_path(robot, folder))
+}
+
+/// Robot that a study or scenario in a folder names: a path is relative to the folder, a built-in name stands for itself.
+pub(crate) fn robot_path(robot: &str, folder: &Path) -> String {
+    let is_path = robot.contains(['/', '\\', '.']);
+    if is_path { folder.join(robot).display().to_string() } else { robot.to_owned() }
 }
 
 impl Content {

@@ -15,7 +15,7 @@ use cdpr_study::{Experiment, Robots, Study};
 use crate::answer::Output;
 use crate::compensation_option::read as read_map;
 use crate::failure::Failure;
-use crate::file_kind::FileKind;
+use crate::file_kind::{FileKind, robot_path};
 use crate::files;
 use crate::inputs::{read_poses, read_robot};
 
@@ -103,10 +103,4 @@ pub(crate) fn study_of(bytes: &[u8], name: &str) -> Result<Study, Failure> {
 /// A robot that a study in a folder names.
 pub(crate) fn robot_of_study(robot: &str, folder: &Path) -> Result<Robot, Failure> {
     read_robot(&robot_path(robot, folder))
-}
-
-/// A path is relative to the study, a built-in name stands for itself.
-pub(crate) fn robot_path(robot: &str, folder: &Path) -> String {
-    let is_path = robot.contains(['/', '\\', '.']);
-    if is_path { folder.join(robot).display().to_string() } else { robot.to_owned() }
 }
