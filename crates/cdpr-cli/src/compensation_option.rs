@@ -8,6 +8,7 @@ use cdpr_model::reading::Size;
 use clap::Args;
 
 use crate::failure::Failure;
+use crate::file_kind::FileKind;
 use crate::files;
 
 /// A map of `cdpr compensate`.
@@ -32,9 +33,10 @@ impl CompensationOption {
 /// A map with the name of its file; refuses that of another model.
 pub(crate) fn read(path: &Path, model: &Model) -> Result<(Compensation, String), Failure> {
     let name = path.display().to_string();
-    let map = Compensation::from_toml_bytes(&files::read(path, Size::Table)?, &name, model);
+    let bytes = files::read(path, Size::Table)?;
+    let map = Compensation::from_toml_bytes(&bytes, &name, model);
     let map = map.map_err(|error| match error {
-        MapError::Read(error) => Failure::from(*error),
+        MapError::Read(error) => FileKind::Map.refusal(&bytes, *error),
         error => Failure::refused(&name, &error),
     })?;
     Ok((map, name))

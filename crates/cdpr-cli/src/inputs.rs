@@ -3,6 +3,7 @@
 use std::path::{Path, PathBuf};
 
 use cdpr_model::geometry::{Pose, Twist, Wrench};
+use cdpr_model::measurement::poses_from_csv;
 use cdpr_model::model::{Composition, Model};
 use cdpr_model::reading::{Size, did_you_mean};
 use cdpr_model::robot::{LAWS, Robot, builtin};
@@ -12,6 +13,7 @@ use clap::Args;
 
 use crate::commands::new::template_names;
 use crate::failure::Failure;
+use crate::file_kind::FileKind;
 use crate::files;
 use crate::numbers::NumberList;
 
@@ -80,10 +82,16 @@ pub(crate) fn read_robot(text: &str) -> Result<Robot, Failure> {
     }
     if looks_like_path || path.is_file() {
         let bytes = files::read(path, Size::Text).map_err(|failure| failure.with_help(help_for_missing_robot(text)))?;
-        return Ok(Robot::from_toml_bytes(&bytes, text)?);
+        return Robot::from_toml_bytes(&bytes, text).map_err(|error| FileKind::Robot.refusal(&bytes, error));
     }
     let message = format!("there is neither a built-in robot nor a file named `{text}`");
     Err(Failure::input("robot::unknown-name", message, help_for_unknown_robot(text)))
+}
+
+/// Poses of a table, as the robot's motion pattern has them.
+pub(crate) fn read_poses(path: &Path, robot: &Robot) -> Result<Vec<Pose>, Failure> {
+    let bytes = files::read(path, Size::Table)?;
+    poses_from_csv(&bytes, &path.display().to_string(), robot).map_err(|error| FileKind::Table.refusal(&bytes, error))
 }
 
 /// The built-in robot or the template that a wrong name probably meant.

@@ -11,6 +11,7 @@ mod console;
 mod diagnostics;
 
 mod failure;
+mod file_kind;
 mod files;
 mod hanging;
 mod inputs;

@@ -9,11 +9,12 @@ use cdpr_model::measurement::{
     InternalSamples, Known, MeasurementFile, ReadingOptions, Samples, SensorSigmas, Sidecar,
 };
 use cdpr_model::model::Model;
-use cdpr_model::reading::Size;
+use cdpr_model::reading::{ReadError, Size};
 use clap::Args;
 
 use crate::answer::Output;
 use crate::failure::Failure;
+use crate::file_kind::FileKind;
 use crate::files;
 use crate::inputs::IDEAL_WINCH;
 use crate::numbers::{Unreadable, number_from_zero};
@@ -131,7 +132,7 @@ impl DataArguments {
     /// True where the data have no poses, or few of them with gaps allowed, and no tracker's log is merged with them.
     pub(crate) fn lacks_poses(&self, model: &Model) -> Result<bool, Failure> {
         let (source, robot) = (self.source(&self.data)?, model.robot());
-        if self.merge.is_some() || source.file().lacks_poses(robot)? {
+        if self.merge.is_some() || source.file().lacks_poses(robot).map_err(|error| source.refusal(error))? {
             return Ok(self.merge.is_none());
         }
         let has_few = |internal: InternalSamples| 2 * internal.whole_poses() < internal.samples.len();
@@ -151,7 +152,8 @@ impl DataArguments {
         output: &Output,
     ) -> Result<InternalSamples, Failure> {
         let source = self.source(path)?;
-        let (mut internal, notices) = source.file().internal_samples(model.robot())?;
+        let (mut internal, notices) =
+            source.file().internal_samples(model.robot()).map_err(|error| source.refusal(error))?;
         notices.iter().for_each(|notice| output.remark(notice));
         let samples = model.with_lengths(&internal.samples).map_err(|error| Failure::refused(&source.name, &error))?;
         internal.samples = Samples { sigmas: source.sigmas, ..samples.into_owned() };
@@ -187,9 +189,13 @@ impl DataArguments {
         let (source, robot) = (self.source(path)?, model.robot());
         let track = merge.map(|path| self.source(path)).transpose()?;
         let reading = match &track {
-            Some(track) => source.file().merged_with(&track.file(), robot, self.merge_gap)?,
-            None => source.file().samples(robot)?,
+            Some(track) => source.file().merged_with(&track.file(), robot, self.merge_gap),
+            None => source.file().samples(robot),
         };
+        let reading = reading.map_err(|error| match track.as_ref().filter(|track| track.name == error.file_name) {
+            Some(track) => track.refusal(error),
+            None => source.refusal(error),
+        })?;
         reading.notices.iter().for_each(|notice| output.remark(notice));
         reading.findings.iter().for_each(|finding| output.doubt(finding));
         let name = &source.name;
@@ -237,6 +243,10 @@ struct Source {
 impl Source {
     fn file(&self) -> MeasurementFile<'_> {
         MeasurementFile { bytes: &self.bytes, name: &self.name, options: &self.options }
+    }
+
+    fn refusal(&self, error: ReadError) -> Failure {
+        FileKind::Table.refusal(&self.bytes, error)
     }
 }
 

@@ -9,6 +9,7 @@ use cdpr_plant::{PlantError, Scenario, Simulation};
 
 use crate::answer::Output;
 use crate::failure::Failure;
+use crate::file_kind::FileKind;
 use crate::files;
 use crate::study_file::robot_of_study;
 
@@ -16,7 +17,8 @@ use crate::study_file::robot_of_study;
 pub(crate) fn read(path: &Path, output: &Output) -> Result<Simulation, Failure> {
     let name = path.display().to_string();
     let bytes = files::read(path, Size::Text)?;
-    let scenario = Scenario::from_toml_bytes(&bytes, &name)?;
+    let scenario = Scenario::from_toml_bytes(&bytes, &name);
+    let scenario = scenario.map_err(|error| FileKind::Scenario.refusal(&bytes, error))?;
     let robot = robot_of_study(&scenario.machine.robot, path.parent().unwrap_or(Path::new("")))?;
     output.about(&robot.name);
     Simulation::new(&scenario, robot).map_err(|error| refused(&error, &scenario, (&bytes, &name)))

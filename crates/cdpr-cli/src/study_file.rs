@@ -6,7 +6,6 @@ use std::path::{Path, PathBuf};
 use cdpr_model::control::CommandedPose;
 use cdpr_model::control::InputError;
 use cdpr_model::geometry::Pose;
-use cdpr_model::measurement::poses_from_csv;
 use cdpr_model::reading::ErrorCode;
 use cdpr_model::reading::Size;
 use cdpr_model::robot::Robot;
@@ -16,8 +15,9 @@ use cdpr_study::{Experiment, Robots, Study};
 use crate::answer::Output;
 use crate::compensation_option::read as read_map;
 use crate::failure::Failure;
+use crate::file_kind::{FileKind, robot_path};
 use crate::files;
-use crate::inputs::read_robot;
+use crate::inputs::{read_poses, read_robot};
 
 /// An experiment with the file it comes from; whatever the experiment refuses is the study's fault.
 pub(crate) struct StudyFile {
@@ -41,7 +41,8 @@ impl StudyFile {
     /// Reads a study and its robots; their paths are relative to its folder.
     pub(crate) fn read(path: &Path) -> Result<Self, Failure> {
         let name = path.display().to_string();
-        let study = Study::from_toml_bytes(&files::read(path, Size::Text)?, &name)?;
+        let bytes = files::read(path, Size::Text)?;
+        let study = study_of(&bytes, &name)?;
         let folder = path.parent().unwrap_or(Path::new("")).to_owned();
         let robots = Robots::of(&study, |robot| robot_of_study(robot, &folder))?;
         let experiment = Experiment::new(study, robots).map_err(|error| {
@@ -90,18 +91,16 @@ impl StudyFile {
     /// Poses of the file that the study names.
     fn table(&self) -> Result<Vec<Pose>, Failure> {
         let Some(file) = self.study.poses.as_ref().and_then(|poses| poses.file.as_ref()) else { return Ok(Vec::new()) };
-        let path = self.folder.join(&file.path);
-        Ok(poses_from_csv(&files::read(&path, Size::Table)?, &path.display().to_string(), self.machine.robot())?)
+        read_poses(&self.folder.join(&file.path), self.machine.robot())
     }
+}
+
+/// The study that the bytes of a file of this name are.
+pub(crate) fn study_of(bytes: &[u8], name: &str) -> Result<Study, Failure> {
+    Study::from_toml_bytes(bytes, name).map_err(|error| FileKind::Study.refusal(bytes, error))
 }
 
 /// A robot that a study in a folder names.
 pub(crate) fn robot_of_study(robot: &str, folder: &Path) -> Result<Robot, Failure> {
     read_robot(&robot_path(robot, folder))
-}
-
-/// A path is relative to the study, a built-in name stands for itself.
-fn robot_path(robot: &str, folder: &Path) -> String {
-    let is_path = robot.contains(['/', '\\', '.']);
-    if is_path { folder.join(robot).display().to_string() } else { robot.to_owned() }
 }

@@ -1,20 +1,23 @@
 //! Choice of a control model: every composition is compared on the richest machine that a robot's file supports.
 
+mod parameter_errors;
 #[cfg(test)]
 mod tests;
+
+pub use parameter_errors::ParameterError;
 
 use super::effects::parameter_count;
 use cdpr_model::control::Control;
 use cdpr_model::control::Driving;
+use cdpr_model::control::History;
 use cdpr_model::control::InputError;
 use cdpr_model::control::Outcome;
 use cdpr_model::control::PoseErrorStatistics;
 use cdpr_model::control::Status;
-use cdpr_model::control::{History, Initial};
-use cdpr_model::control::{tension_model, winch_offsets};
 use cdpr_model::geometry::Pose;
 use cdpr_model::model::{Composition, Model, ModelError, StretchEffect, Supported};
 use cdpr_model::tension::{Limits, Method};
+use parameter_errors::{Judged, winches};
 
 /// A control model judged on the machine over the poses of a task.
 ///
@@ -62,6 +65,10 @@ pub struct Advice {
     /// Index of the simplest candidate that reaches as many poses as the one like the machine; `None` if that one
     /// reaches none.
     pub recommended: Option<usize>,
+    /// Effects that the robot's file does not support, so that no candidate was judged with them.
+    pub not_judged: Vec<&'static str>,
+    /// Errors of the numbers of the recommended candidate, which come on top of its own; empty without one.
+    pub parameter_errors: Vec<ParameterError>,
 }
 
 impl Advice {
@@ -128,17 +135,22 @@ pub fn advise(
     }
     // for equal numbers of effects, the stretch law nearest to a real cable comes last: the machine's
     runs.sort_by_key(|(control, _)| (control.effect_count(), control.stretch.richness()));
-    Ok(Task::new(machine, poses, accuracy, &runs).advice(&runs))
+    let task = Task::new(machine, poses, accuracy, &runs);
+    let mut advice = task.advice(&runs);
+    advice.not_judged = supported.missing.iter().map(|(effect, _)| *effect).collect();
+    if let Some(recommended) = advice.recommended {
+        let outcomes = &runs[recommended].1;
+        let reached = (0..poses.len()).filter(|&pose| task.reaches(pose, &outcomes[pose])).map(|pose| poses[pose]);
+        let reached: Vec<Pose> = reached.collect();
+        let judged = Judged { machine, home: &home, poses: &reached, accuracy };
+        advice.parameter_errors = judged.errors(advice.candidates[recommended].control, tension_method)?;
+    }
+    Ok(advice)
 }
 
 /// Emerging states at each pose under a control model, with which the winches were set at the home pose.
 fn outcomes(control: Control, machine: &Model, home: &Pose, poses: &[Pose]) -> Result<Vec<Outcome>, InputError> {
-    let initial = Initial {
-        tension_method: Some(Method::Qp),
-        offset: tension_model(&control.model, machine).is_none().then(|| "none".to_owned()),
-        ..Initial::default()
-    };
-    let offsets = winch_offsets(&initial, &control.model, machine, home)?;
+    let offsets = winches(&control, machine, home)?;
     let driving = Driving::new(control, machine, &offsets)?;
     Ok(driving.with_history(History::of(machine, None).as_ref(), home).outcomes(poses))
 }
@@ -199,6 +211,8 @@ impl<'a> Task<'a> {
             compared: self.compared.len(),
             attainable: (0..self.poses.len()).filter(|&pose| is_reached(pose)).count(),
             recommended: None,
+            not_judged: Vec::new(),
+            parameter_errors: Vec::new(),
             candidates,
         };
         let best = advice.like_the_machine().map_or(0, |full| full.reached);

@@ -9,12 +9,14 @@ mod census;
 mod differential;
 mod emerging;
 mod linear;
+mod refined;
 #[cfg(test)]
 mod tests;
 
 pub use census::{Cell, Census};
 pub use differential::{Varied, differential_hull};
 pub use emerging::{Image, emerging_size, image_of};
+pub use refined::{ByCensus, CountedCells};
 
 use cdpr_model::control::CommandedPose;
 use cdpr_model::control::Driving;
@@ -250,6 +252,18 @@ impl Criterion for Reachable {
 
     fn unit(&self) -> &str {
         "1"
+    }
+
+    fn effort(&self) -> f64 {
+        let machine = self.driving.machine();
+        let is_together = machine.has_forward_batch() && machine.needs_tensions();
+        // measured with four and eight cables
+        match (self.driving.history(), is_together, self.driving.control().chooses_tensions()) {
+            (Some(_), ..) => 10_000.0,
+            (None, true, false) => 5.0,
+            (None, true, true) => 50.0,
+            (None, false, _) => 500.0,
+        }
     }
 
     fn judge(&self, pose: &Pose) -> Verdict {

@@ -49,11 +49,22 @@ impl Grid {
         let mut middle = [0.0; 3];
         for axis in 0..self.bounds.dimension() {
             let (from, extent) = (self.bounds.least()[axis], self.bounds.extent(axis));
-            let count = self.counts[axis];
-            let cell = (((point[axis] - from) / extent * count as f64).max(0.0) as usize).min(count - 1);
-            middle[axis] = from + (cell as f64 + 0.5) / count as f64 * extent;
+            middle[axis] = from + (self.place(point, axis) as f64 + 0.5) / self.counts[axis] as f64 * extent;
         }
         middle
+    }
+
+    /// Index of the cell in which a point of the box lies, slab after slab.
+    pub fn cell_about(&self, point: &Point) -> usize {
+        let axes = (0..self.bounds.dimension()).rev();
+        axes.fold(0, |index, axis| index * self.counts[axis] + self.place(point, axis))
+    }
+
+    /// Place along an axis of the cell in which a point lies.
+    fn place(&self, point: &Point, axis: usize) -> usize {
+        let (from, extent) = (self.bounds.least()[axis], self.bounds.extent(axis));
+        let count = self.counts[axis];
+        (((point[axis] - from) / extent * count as f64).max(0.0) as usize).min(count - 1)
     }
 
     /// Number of cells along each axis.
@@ -293,4 +304,26 @@ pub fn count(region: &Region<'_>, grid: &Grid) -> Count {
     let mut count = Count::new();
     while count.advance(region, grid, &mut |_, _| {}) {}
     count
+}
+
+#[cfg(test)]
+mod tests {
+    use super::*;
+
+    /// In plane and space alike; a point outside counts with the nearest cell.
+    #[test]
+    fn a_point_lies_in_the_cell_about_whose_middle_it_is() {
+        for ends in [&[-1.0, 2.0, 0.0, 1.0][..], &[-1.0, 2.0, 0.0, 1.0, 5.0, 5.7]] {
+            let grid = Grid::new(&Bounds::new(ends.len() / 2, ends).unwrap(), 0.3).unwrap();
+            for slab in 0..grid.slabs() {
+                for index in 0..grid.slab_points() {
+                    let middle = grid.point(slab, index);
+                    assert_eq!(grid.cell_about(&middle), slab * grid.slab_points() + index);
+                    assert_eq!(grid.middle_about(&middle), middle);
+                }
+            }
+            assert_eq!(grid.cell_about(&[-9.0; 3]), 0);
+            assert_eq!(grid.cell_about(&[9.0; 3]) as u64, grid.points() - 1);
+        }
+    }
 }

@@ -8,12 +8,12 @@ use clap::{Args, ValueEnum};
 use crate::answer::Output;
 use crate::compensation_option::CompensationOption;
 use crate::failure::Failure;
+use crate::file_kind::FileKind;
 use crate::files;
 use crate::hanging::NotAtRest;
-use crate::inputs::read_robot;
+use crate::inputs::{read_poses, read_robot};
 use cdpr_model::control::Control;
 use cdpr_model::geometry::Pose;
-use cdpr_model::measurement::poses_from_csv;
 use cdpr_model::model::{Composition, Model};
 use cdpr_model::reading::ErrorCode;
 use cdpr_model::reading::Size;
@@ -107,7 +107,7 @@ fn lengths(arguments: &Arguments, output: &mut Output) -> Result<ExitCode, Failu
         .map_err(|error| refused(&error))?;
     let map = arguments.compensation.read(&model)?;
     let path = arguments.poses.clone().unwrap_or_default();
-    let poses = poses_from_csv(&files::read(&path, Size::Table)?, &shown_path(&path), model.robot())?;
+    let poses = read_poses(&path, model.robot())?;
     let compensation = map.as_ref().map(|(map, _)| map);
     let (table, beyond) = Control { compensation: compensation.cloned(), ..Control::from(&model) }
         .table(&poses)
@@ -190,7 +190,9 @@ fn read(result: &Path) -> Result<SavedResult, Failure> {
     let file = if is_folder { result.join("result.json") } else { result.to_owned() };
     let help = "RESULT is a folder that `cdpr select --out` or `cdpr demo` wrote, or a file with a JSON answer";
     let content = files::read(&file, Size::Table).map_err(|failure| failure.with_help(help))?;
-    let mut saved = SavedResult::from_json(&NamedFile::new(shown_path(&file), content))?;
+    let content = NamedFile::new(shown_path(&file), content);
+    let saved = SavedResult::from_json(&content);
+    let mut saved = saved.map_err(|error| FileKind::Answer.refusal(&content.content, error))?;
     if is_folder {
         saved.read_tables(|name| -> Result<Option<NamedFile>, Failure> {
             let path = result.join(name);

@@ -1,4 +1,4 @@
-//! `cdpr new`: a robot file with a study to start from, and the studies of the book.
+//! `cdpr new`: a robot file with a study and a scenario to start from, and the studies of the book.
 
 mod material;
 
@@ -26,10 +26,10 @@ Examples:
 /// Folder of the book's studies, as their comments name it.
 const STUDIES: &str = "studies";
 
-/// Write a robot file and a study to start from, or a study of the book.
+/// Write a robot file, a study and a scenario to start from, or a study of the book.
 ///
-/// A template makes a folder with robot.toml, every key explained, and study.toml, which drives that robot with elastic cables: check, ik, fk,
-/// workspace, accuracy, study, reachable and simulate run on them as they are. A study of the book comes with the robots, poses and
+/// A template makes a folder with robot.toml, every key explained, study.toml, which drives that robot with elastic cables, and scenario.toml, in which
+/// it moves: check, ik, fk, workspace, accuracy, study, reachable, sensitivity, campaign, simulate and run take them as they are. A study of the book comes with the robots, poses and
 /// studies that it names, and `studies` stands for all of them. Files that are there already and differ are left alone unless --force is given; all
 /// files of a name are written, or none.
 #[derive(Debug, Args)]

@@ -5,16 +5,15 @@ use std::process::ExitCode;
 
 use cdpr_calibration::fit::{Prior, Settings};
 use cdpr_calibration::{Candidates, DesignCriterion, PlanSettings, Predicted, plan};
-use cdpr_model::measurement::{Samples, SensorSigmas, poses_from_csv};
+use cdpr_model::measurement::{Samples, SensorSigmas};
 use cdpr_model::model::{FreeParameters, Model};
 use cdpr_model::reading::Keyword;
-use cdpr_model::reading::Size;
 use clap::Args;
 
 use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files;
-use crate::inputs::ModelArguments;
+use crate::inputs::{ModelArguments, read_poses};
 use crate::keyword::keyword;
 use crate::measurements::{SigmaOption, read_measured};
 use crate::numbers::number_from_zero;
@@ -169,7 +168,7 @@ impl Arguments {
     fn candidates(&self, model: &Model, sigmas: SensorSigmas) -> Result<Candidates, Failure> {
         if let Some(path) = &self.candidates {
             let name = path.display().to_string();
-            let poses = poses_from_csv(&files::read(path, Size::Table)?, &name, model.robot())?;
+            let poses = read_poses(path, model.robot())?;
             let mut candidates = Candidates::new(model, &poses, self.tension_levels, sigmas)
                 .map_err(|error| Failure::refused(&name, &error))?;
             if let Some(by) = self.tension_tests {

@@ -5,11 +5,12 @@ use std::process::ExitCode;
 
 use cdpr_model::model::Model;
 use cdpr_reports::reachable::{Change, Picture, ReachableAnswer, Searched, differential};
-use cdpr_study::reachable::{Census, Image, Reachable, image_of};
+use cdpr_study::reachable::{ByCensus, Image, Reachable, image_of};
 use cdpr_study::sensitivity::{Offsets, ParameterDeviation};
 use cdpr_workspace::grid::{self, Grid};
 use cdpr_workspace::hull::Hull;
 use cdpr_workspace::mesh::Mesh;
+use cdpr_workspace::refine::{Goal, RegionSearch, refine};
 use cdpr_workspace::{Bounds, Cells, Point, Region, hull};
 use clap::{Args, ValueEnum};
 
@@ -60,7 +61,8 @@ pub(crate) struct Arguments {
     #[arg(long, value_name = "BOUNDS", allow_hyphen_values = true)]
     bounds: Option<NumberList>,
 
-    /// Largest side of a cell of the grid (m); a hundredth of the longest side of the box in a plane, a fiftieth in space.
+    /// Largest side of a cell of the grid (m); when left out a hundredth of the longest side of the box in a plane, a fiftieth in space, and finer until
+    /// the size is known to 1 % or a second of work is done.
     #[arg(long, value_name = "STEP", value_parser = finite_number, allow_hyphen_values = true)]
     step: Option<f64>,
 
@@ -189,22 +191,28 @@ impl Search<'_> {
         thresholds: &[f64],
     ) -> Result<ReachableAnswer, Failure> {
         let step = arguments.step.unwrap_or(self.bounds.usual_step());
-        let grid = Grid::new(&self.bounds, step).map_err(|error| Failure::refused("--step", &error))?;
         let progress = Progress::spinner("commanding the cells of the grid");
-        let census = Census::take(reachable, self.region, &grid);
-        let answers = census.reached(reachable.requirements().position_error_max);
-        if let Some(path) = &arguments.mesh {
-            write_mesh(path, &self.surface(&grid, &answers)?)?;
+        let mut search = ByCensus { reachable, region: self.region, bounds: &self.bounds, step };
+        // who gives a step wants these cells
+        let (counted, audit) = match arguments.step {
+            Some(_) => search.find(0).map(|counted| (counted, None)),
+            None => refine(self.region, &self.bounds, &Goal::usual(), &mut search)
+                .map(|refined| (refined.found, Some(refined.audit))),
         }
-        let feasible = |model: &Model| self.study_file.feasible_cells(model, self.region, &grid);
+        .map_err(|error| Failure::refused("--step", &error))?;
+        let grid = &counted.grid;
+        if let Some(path) = &arguments.mesh {
+            write_mesh(path, &self.surface(grid, &counted.answers)?)?;
+        }
+        let feasible = |model: &Model| self.study_file.feasible_cells(model, self.region, grid);
         let [physical, model] = [&self.study_file.machine, &self.study_file.control].map(feasible);
         let linear = arguments.linear.then(|| {
             let criterion = reachable.by_linear_step();
-            grid::count(&self.region.with_criterion(&criterion), &grid).outcome(&grid).size
+            grid::count(&self.region.with_criterion(&criterion), grid).outcome(grid).size
         });
         let feasible = [physical, model];
         let answer =
-            ReachableAnswer::of_grid(self.searched(), reachable, &grid, &census, &answers, feasible, thresholds);
+            ReachableAnswer::of_grid(self.searched(), reachable, &counted, audit.as_ref(), feasible, thresholds);
         drop(progress);
         Ok(answer.with_linear(linear).explained(|| self.why_nothing()))
     }

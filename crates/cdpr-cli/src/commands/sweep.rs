@@ -7,7 +7,6 @@ use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use cdpr_model::reading::Size;
-use cdpr_study::Study;
 use cdpr_study::sweep::{PreparedSweep, Subjects, Sweep, check};
 use clap::{Args, Subcommand};
 use folder::{Plan, RowFile};
@@ -15,10 +14,11 @@ use merged::merge;
 
 use crate::answer::Output;
 use crate::failure::Failure;
+use crate::file_kind::FileKind;
 use crate::files;
 use crate::numbers::Unreadable;
 use crate::progress::Progress;
-use crate::study_file::robot_of_study;
+use crate::study_file::{robot_of_study, study_of};
 use cdpr_reports::sweep_progress::SweepProgress;
 
 const EXAMPLES: &str = "\
@@ -123,10 +123,11 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
 
 fn plan(path: &Path, out: &Path, output: &mut Output) -> Result<SweepProgress, Failure> {
     let name = path.display().to_string();
-    let sweep = Sweep::from_toml_bytes(&files::read(path, Size::Text)?, &name)?;
+    let bytes = files::read(path, Size::Text)?;
+    let sweep = Sweep::from_toml_bytes(&bytes, &name).map_err(|error| FileKind::Sweep.refusal(&bytes, error))?;
     let study_path = path.parent().unwrap_or(Path::new("")).join(&sweep.study);
     let study_bytes = files::read(&study_path, Size::Text)?;
-    let study = Study::from_toml_bytes(&study_bytes, &study_path.display().to_string())?;
+    let study = study_of(&study_bytes, &study_path.display().to_string())?;
     let folder = study_path.parent().unwrap_or(Path::new(""));
     let robot = |name: &str| Ok::<String, Failure>(robot_of_study(name, folder)?.to_toml());
     let subjects = Subjects {

@@ -9,6 +9,7 @@ use clap::Args;
 
 use crate::answer::{Output, TrustArguments};
 use crate::failure::Failure;
+use crate::file_kind::FileKind;
 use crate::files;
 use crate::numbers::{Unreadable, finite_number};
 use cdpr_reports::answers::{TestBenchAnswer, cable_keys, preload_remarks};
@@ -56,7 +57,7 @@ fn positive_length(text: &str) -> Result<f64, Unreadable> {
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
     let name = arguments.record.display().to_string();
     let bytes = files::read(&arguments.record, Size::Table)?;
-    let reading = Record::from_csv(&bytes, &name)?;
+    let reading = Record::from_csv(&bytes, &name).map_err(|error| FileKind::Table.refusal(&bytes, error))?;
     reading.notices.iter().for_each(|notice| output.remark(notice));
     let settings = Settings { pieces: arguments.pieces.into(), ..Settings::of_length(arguments.length) };
     let solution = identify(&reading.record, &settings).map_err(|error| Failure::refused(&name, &error))?;

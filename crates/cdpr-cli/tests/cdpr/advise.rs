@@ -22,6 +22,30 @@ fn the_planar_example_needs_elasticity_only_where_millimetres_count() {
     assert!(full["position_error_m"]["max"].as_f64().unwrap() < 1e-9);
 }
 
+/// What the file knows nothing of, and what wrong numbers do, stand beside the verdict and not below a list.
+#[test]
+fn effects_that_were_not_judged_and_wrong_numbers_stand_beside_the_verdict() {
+    let command = "advise planar-example --task=-0.5,0.5,4.7,5.7 --accuracy 0.1";
+    let answer = cdpr(&format!("{command} --format json")).json_with(&["not_judged", "parameter_errors"]);
+    let not_judged: Vec<&str> =
+        answer["not_judged"].as_array().unwrap().iter().map(|effect| effect.as_str().unwrap()).collect();
+    assert!(not_judged.contains(&"pulley") && !not_judged.contains(&"elastic"), "{answer}");
+    let errors = answer["parameter_errors"].as_array().unwrap();
+    let anchors: Vec<_> = errors.iter().filter(|error| error["kind"] == "frame-anchor").collect();
+    assert_eq!(anchors.len(), 1, "an anchor beside its place in the file is one error: {answer}");
+    let of = |key: &str| anchors[0][key].as_f64().unwrap();
+    // two deviations of anchors that are off so far move the platform by no more than the accuracy, and by most of it
+    let moved = 2.0 * of("sigma_alone") * of("position_max_m_per_unit");
+    assert!(moved < 0.11 && moved > 0.05, "{moved}");
+    let words = cdpr(command).stdout;
+    let verdict = words.lines().position(|line| line.starts_with("recommended: ")).unwrap();
+    let line = |place: usize| words.lines().nth(verdict + place).unwrap();
+    assert!(
+        line(0).contains("; not judged: pulley, drum, ") && line(2).contains("errors of its numbers come on top"),
+        "{words}"
+    );
+}
+
 #[test]
 fn tensions_of_control_models_are_chosen_as_the_command_says() {
     let advised = |method: &str| {

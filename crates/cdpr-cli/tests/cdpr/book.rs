@@ -122,3 +122,45 @@ fn the_commands_of_getting_started_run_in_their_order() {
         "files of a result that the chapter does not tell: {untold:?}"
     );
 }
+
+/// Files that a chapter writes out: blocks of TOML that begin with a comment of their name.
+fn written_out(text: &str) -> Vec<(&str, &str)> {
+    let blocks = text.split("```toml\n# ").skip(1).map(|rest| rest.split("\n```").next().unwrap());
+    let named = blocks.filter_map(|block| Some((block.split_once(": ")?.0, block)));
+    named.filter(|(name, _)| name.ends_with(".toml")).collect()
+}
+
+/// Somebody who starts in an empty folder, copies the files and runs the commands has the lines that the chapter shows, and the exit
+/// code that it says: 1 where an answer is not to be trusted.
+#[test]
+fn the_camera_of_ones_own_is_built_as_its_chapter_says() {
+    let text = chapter("tutorial.md");
+    let folder = tempfile::tempdir().unwrap();
+    let files = written_out(&text);
+    assert_eq!(files.len(), 5, "{:?}", files.iter().map(|(name, _)| name).collect::<Vec<_>>());
+    for (name, block) in files {
+        std::fs::write(folder.path().join(name), format!("# {block}\n")).unwrap();
+    }
+    let joined = text.replace("\\\n", " ");
+    let blocks: Vec<&str> =
+        joined.split("```console\n").skip(1).map(|rest| rest.split("```").next().unwrap()).collect();
+    assert!(blocks.len() >= 13, "{blocks:?}");
+    for block in blocks {
+        let (command, shown) = block.split_once('\n').unwrap();
+        let run = cdpr_in(folder.path(), command.strip_prefix("$ cdpr ").unwrap());
+        let is_denied = shown.contains("not to be trusted");
+        assert_eq!(run.exit_code, i32::from(is_denied), "{command}: {}{}", run.stdout, run.stderr);
+        for line in shown.lines() {
+            assert!(run.stdout.lines().any(|told| told == line), "{command}: `{line}` is not in {}", run.stdout);
+        }
+    }
+    // what the chapter finds is what the machine has
+    let robot = |name: &str| {
+        let text = std::fs::read_to_string(folder.path().join(name)).unwrap();
+        cdpr_model::robot::Robot::from_toml(&text, name).unwrap()
+    };
+    let (found, machine) = (robot("calibrated.toml"), robot("machine.toml"));
+    for (found, machine) in found.cables.iter().zip(&machine.cables) {
+        assert!((found.frame_anchor - machine.frame_anchor).norm() < 0.015, "{}", found.name);
+    }
+}

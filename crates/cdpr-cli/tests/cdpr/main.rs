@@ -35,6 +35,7 @@ mod mistaken_inputs;
 mod newcomer;
 mod objectives;
 mod partial_poses;
+mod other_kinds;
 mod penalties;
 mod planning;
 mod rating;

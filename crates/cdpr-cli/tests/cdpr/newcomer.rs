@@ -319,11 +319,30 @@ fn a_singular_home_is_a_negative_answer_of_check() {
 }
 
 #[test]
+fn check_doubts_numbers_that_nobody_means() {
+    let (folder, _) = file_with("square.toml", SQUARE.as_bytes());
+    assert_eq!(cdpr_in(folder.path(), "new suspended-camera --out .").exit_code, 0);
+    let path = folder.path().join("robot.toml");
+    let mistaken = std::fs::read_to_string(&path).unwrap().replacen("[6.0, 4.0, 6.0]", "[6.0, 4.0, 9.0]", 1);
+    std::fs::write(&path, mistaken.replace("tension_max_N = 300.0", "tension_max_N = 10.0")).unwrap();
+    let answer = cdpr_in(folder.path(), "check robot.toml --format json").json_with(&["findings", "warnings"]);
+    let findings = answer["findings"].as_array().unwrap();
+    let of = |place: usize| (&findings[place]["kind"], &findings[place]["cable"], &findings[place]["severity"]);
+    assert_eq!(of(0), (&"anchor".into(), &3.into(), &"remark".into()), "{answer}");
+    assert_eq!(of(1), (&"unit".into(), &serde_json::Value::Null, &"caution".into()), "{answer}");
+    assert_eq!(findings[0]["text"], answer["warnings"][0]);
+    let words = cdpr_in(folder.path(), "check robot.toml").stdout;
+    assert!(words.contains("3.000 m beside (6.000, 4.000, 6.000) m") && words.contains("in kilonewtons?"), "{words}");
+}
+
+#[test]
 fn check_lists_the_models_that_a_file_supports_and_what_it_lacks() {
     let (folder, _) = file_with("square.toml", SQUARE.as_bytes());
     let run = cdpr_in(folder.path(), "check square.toml");
     assert!(run.stdout.contains("models            standard\n"), "{}", run.stdout);
-    assert!(run.stdout.contains("\nnot supported\n  pulley: ") && run.stdout.contains("elastic: "), "{}", run.stdout);
+    let lacking = run.stdout.lines().find(|line| line.starts_with("not supported")).unwrap();
+    assert!(lacking.contains("     pulley (pulley_swivel_axis), ") && lacking.contains("elastic ("), "{lacking}");
+    assert_eq!(run.stdout.matches("pulley").count(), 2, "the line is all: {}", run.stdout);
     let models = cdpr_in(folder.path(), "check planar-example --format json").json()["models"].clone();
     assert_eq!((models["richest"].as_str(), &models["effects"]), (Some("elastic"), &serde_json::json!(["elastic"])));
     let missing = models["missing"].as_array().unwrap();

@@ -31,6 +31,22 @@ fn the_planar_example_reaches_the_areas_of_the_dissertation() {
     assert!(0.0 < area(0) && area(0) < area(1) && area(1) < number("reachable_area_m2"));
 }
 
+/// Without a step cells are halved and points drawn until the size is known to 1 %; finer cells have a size within that bound.
+#[test]
+fn without_a_step_the_size_is_known_to_a_hundredth() {
+    let folder = tempfile::tempdir().unwrap();
+    assert_eq!(cdpr_in(folder.path(), "new suspended-camera --out .").exit_code, 0);
+    let keys = ["reachable_volume_m3", "emerging_volume_m3", "error_bound"];
+    let answer =
+        |more: &str| cdpr_in(folder.path(), &format!("reachable study.toml{more} --format json")).json_with(&keys);
+    let (refined, fine) = (answer(""), answer(" --step 0.12"));
+    let [volume, emerging, bound] = keys.map(|key| refined[key].as_f64().unwrap());
+    assert!(bound < 0.01 * volume, "{bound} {volume}");
+    assert_eq!((&refined["confidence"], fine.get("confidence")), (&0.999.into(), None));
+    let [finer, finer_emerging, _] = keys.map(|key| fine[key].as_f64().unwrap());
+    assert!((finer - volume).abs() < bound && (finer_emerging - emerging).abs() < bound, "{refined} {fine}");
+}
+
 /// maths.md: 36 rays give 51.0 m².
 #[test]
 fn a_hull_of_36_rays_gives_the_area_that_the_dissertation_prints() {

@@ -77,6 +77,42 @@ fn numbers_are_ranked_drawn_and_allowed() {
     }
 }
 
+/// An anchor beside the one of the file is one error, whether the machine or the file is said to deviate. Where nobody states what deviates,
+/// what is jointly allowed is the same as where every error is named once.
+#[test]
+fn without_tolerances_an_error_of_two_names_counts_once() {
+    let start = PLANAR.find("[tolerances]").unwrap();
+    let folder = changed(&PLANAR[start..], "");
+    let asked = "sensitivity study.toml --accuracy 0.2 --robots 0";
+    let nothing_named =
+        cdpr_in(folder.path(), &format!("{asked} --format json")).json_with(&["same_errors", "allowed"]);
+    let same = nothing_named["same_errors"].as_array().unwrap();
+    for (name, counted_as) in [
+        ("control frame-anchor", "machine frame-anchor"),
+        ("control length-offset", "machine length-offset"),
+        ("winches winch-offset", "machine length-offset"),
+    ] {
+        assert!(same.iter().any(|one| one["name"] == name && one["counted_as"] == counted_as), "{name}: {same:?}");
+    }
+    let once = "[tolerances.machine]\nframe_anchor_m = 1e-3\nlength_offset_m = 1e-3\nlength_scale_relative = 1e-3\n\
+                axial_stiffness_relative = 0.01\nhidden_length_m = 1e-3\nforce_N = 1\n[tolerances.winches]\ninitial_tension_N = 1\n";
+    let named = changed(&PLANAR[start..], once);
+    let named = cdpr_in(named.path(), &format!("{asked} --format json")).json_with(&["allowed"]);
+    assert_eq!(named.get("same_errors"), None, "who states what deviates is believed");
+    let of = |answer: &serde_json::Value, side: &str, kind: &str| {
+        let kinds = answer["allowed"]["kinds"].as_array().unwrap();
+        kinds.iter().find(|one| one["side"] == side && one["kind"] == kind).and_then(|one| one["sigma_joint"].as_f64())
+    };
+    for kind in ["frame-anchor", "length-offset", "length-scale", "axial-stiffness", "hidden-length"] {
+        assert!(of(&named, "machine", kind).is_some(), "{kind}");
+        assert_eq!(of(&nothing_named, "machine", kind), of(&named, "machine", kind), "{kind}");
+        assert_eq!(of(&nothing_named, "control", kind), None, "{kind}");
+    }
+    let text = cdpr_in(folder.path(), asked).stdout;
+    assert!(text.contains("machine length-offset (control length-offset, winches winch-offset)"), "{text}");
+    assert!(!text.contains("\ncontrol length-offset"), "{text}");
+}
+
 /// Fig. 3.9 of the dissertation: how the planar example moves with an anchor of its controller. The largest number of the map
 /// is that of the table.
 #[test]

@@ -32,11 +32,24 @@ fn every_command_that_the_heads_of_the_templates_tell_runs_on_what_was_written()
         let folder = tempfile::tempdir().unwrap();
         let command = format!("new {pattern} --format json");
         let written = done(cdpr_in(folder.path(), &command), &command).json_with(&["written", "try"]);
-        assert_eq!(written["written"].as_array().unwrap().len(), 2, "{written}");
+        assert_eq!(written["written"].as_array().unwrap().len(), 3, "{written}");
         let inside = folder.path().join(name);
         let commands: Vec<String> =
-            ["robot.toml", "study.toml"].iter().flat_map(|file| told(&inside.join(file))).collect();
-        for word in ["check", "ik", "fk", "workspace", "accuracy", "study", "reachable", "simulate", "identify"] {
+            ["robot.toml", "study.toml", "scenario.toml"].iter().flat_map(|file| told(&inside.join(file))).collect();
+        for word in [
+            "check",
+            "ik",
+            "fk",
+            "workspace",
+            "accuracy",
+            "study",
+            "reachable",
+            "sensitivity",
+            "campaign",
+            "simulate",
+            "identify",
+            "run",
+        ] {
             assert!(commands.iter().any(|command| command.starts_with(word)), "{name} does not tell {word}");
         }
         for command in &commands {
@@ -96,7 +109,7 @@ fn files_that_are_there_are_replaced_only_by_force() {
     assert_eq!(cdpr_in(folder.path(), "new wall-plotter --out mine").exit_code, 2);
     assert_eq!(std::fs::read_to_string(&robot).unwrap(), written);
     let left: Vec<_> = std::fs::read_dir(folder.path().join("mine")).unwrap().collect();
-    assert_eq!(left.len(), 2, "no temporary file stays");
+    assert_eq!(left.len(), 3, "no temporary file stays");
 }
 
 /// Poses and robots of a study come with it, and the commands of its head run from the folder above.

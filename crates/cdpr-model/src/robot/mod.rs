@@ -15,6 +15,7 @@ mod cable_reading;
 pub mod caspr;
 mod checks;
 mod description;
+mod doubts;
 #[cfg(feature = "files")]
 mod file;
 #[cfg(feature = "files")]

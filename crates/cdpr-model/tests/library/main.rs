@@ -19,6 +19,7 @@ mod elastostatics;
 mod feasibility_oracle;
 mod forward_kinematics;
 mod forward_statics;
+mod robot_doubts;
 mod robot_files;
 mod statics_properties;
 mod statics_reference;

@@ -1,7 +1,8 @@
 //! The answer of what control model a task needs.
 
 use cdpr_model::model::Model;
-use cdpr_study::advice::{Advice, Candidate};
+use cdpr_model::reading::Keyword;
+use cdpr_study::advice::{Advice, Candidate, ParameterError};
 use cdpr_study::effects;
 use cdpr_workspace::Bounds;
 use serde::Serialize;
@@ -32,6 +33,11 @@ pub struct AdviceAnswer {
     pub accuracy_m: f64,
     /// The simplest model that reaches as much as one like the machine.
     pub recommended: Option<String>,
+    /// Effects that no model was judged with, since the robot file lacks their keys.
+    pub not_judged: Vec<&'static str>,
+    /// Errors of the recommended model's numbers, which come on top of its own.
+    #[serde(with = "Each::<ParameterErrorKeys>")]
+    pub parameter_errors: Vec<ParameterError>,
     /// Effects without which less is reached.
     #[serde(with = "Each::<EffectKeys>")]
     pub must_be_modelled: Vec<EffectAnswer>,
@@ -85,6 +91,11 @@ keys! {
         without.rotation_error.max = "rotation_error_max_rad", without.tension_error = "tension_error_N", reached_share,
         parameter_count, cost,
     }
+    /// Errors of one kind of number, in its `unit`.
+    ParameterErrorKeys of ParameterError {
+        side.name(), kind.to_string(), kind.unit() = "unit", position_rms = "position_rms_m_per_unit",
+        position_max = "position_max_m_per_unit", allowed = "sigma_alone",
+    }
     /// A control model.
     AdvisedModelKeys of AdvisedModel {
         candidate.control.to_string() = "model", candidate.left_out = "left_out",
@@ -133,6 +144,8 @@ impl AdviceAnswer {
             attainable_poses: advice.attainable,
             accuracy_m: accuracy,
             recommended,
+            not_judged: advice.not_judged.clone(),
+            parameter_errors: advice.parameter_errors.clone(),
             must_be_modelled,
             may_be_left_out,
             candidates: advice.candidates.iter().map(advised).collect(),

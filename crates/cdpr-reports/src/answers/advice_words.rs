@@ -1,9 +1,13 @@
 //! Control models for a task, in words.
 
+use cdpr_model::reading::Keyword;
+use cdpr_study::advice::ParameterError;
+
 use crate::number_format::significant;
 
 use super::{AdviceAnswer, Answer, EffectAnswer};
-use crate::number_format::cell;
+use crate::number_format::{NONE, cell};
+use crate::sensitivity::{amount, step};
 use crate::table::Table;
 
 impl Answer for AdviceAnswer {
@@ -54,8 +58,10 @@ impl Answer for AdviceAnswer {
         }
         if let Some(recommended) = &self.recommended {
             text.push_str(&format!(
-                "\nrecommended: {recommended}, the simplest that reaches as much as a model like the machine\n"
+                "\nrecommended: {recommended}, the simplest that reaches as much as a model like the machine{}\n",
+                self.without()
             ));
+            text.push_str(&self.numbers(width));
         }
         for (title, effects) in
             [("must be modelled", &self.must_be_modelled), ("may be left out", &self.may_be_left_out)]
@@ -72,6 +78,48 @@ impl Answer for AdviceAnswer {
             ));
         }
         text
+    }
+}
+
+/// Kinds of numbers in the words, the most influential.
+const MOST_KINDS: usize = 6;
+
+impl AdviceAnswer {
+    /// Effects that nothing was judged with, behind the verdict.
+    fn without(&self) -> String {
+        match self.not_judged.as_slice() {
+            [] => String::new(),
+            effects => format!("; not judged: {}, whose keys the robot file lacks", effects.join(", ")),
+        }
+    }
+
+    /// Errors of the recommended model's numbers.
+    fn numbers(&self, width: Option<usize>) -> String {
+        let moves = |error: &ParameterError| step(error.kind).0 * error.position_max;
+        let mut kinds: Vec<&ParameterError> = self.parameter_errors.iter().collect();
+        kinds.sort_by(|a, b| moves(b).total_cmp(&moves(a)));
+        let mut table =
+            Table::new(["all of a kind off", "by (σ)", "moves rms mm", "worst pose mm", "may be off by (σ)"])
+                .left_column(1);
+        for error in kinds.iter().take(MOST_KINDS) {
+            let (factor, each) = step(error.kind);
+            let moved = |way: f64| significant(1e3 * factor * way, 3);
+            table.row(vec![
+                format!("{} {}", error.side.name(), error.kind),
+                each.to_owned(),
+                moved(error.position_rms),
+                moved(error.position_max),
+                error.allowed.map_or_else(|| NONE.to_owned(), |sigma| amount(sigma, error.kind.unit())),
+            ]);
+        }
+        match kinds.is_empty() {
+            true => String::new(),
+            false => format!(
+                "\nerrors of its numbers come on top, to first order; each kind alone may be off so far that two deviations keep {} mm\n{}",
+                significant(1e3 * self.accuracy_m, 3),
+                table.text(width)
+            ),
+        }
     }
 }
 

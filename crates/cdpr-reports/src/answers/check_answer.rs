@@ -13,9 +13,7 @@ use serde::Serialize;
 
 use super::missing_effects::{self, MissingEffect, missing_effects};
 use super::{Answer, PoseAnswer, assumed_numbers, inertia_doubt};
-
-/// No cable robot has frame anchors farther apart (m); the largest, FAST, has 600 m.
-const LARGEST_FRAME: f64 = 2000.0;
+use crate::keys::FoundKeys;
 
 /// Facts, models and oddities of a robot at its home pose.
 #[derive(Serialize)]
@@ -34,6 +32,8 @@ pub struct CheckAnswer {
     /// Numbers of the file that no source states and nobody measured.
     assumptions: Vec<Assumption>,
     warnings: Vec<String>,
+    /// Doubts about numbers of the file, which are warnings too.
+    findings: Vec<FoundKeys>,
 }
 
 /// Models that `--model` can name for this file.
@@ -156,7 +156,6 @@ fn file_warnings(robot: &Robot) -> Vec<String> {
         });
         warn(outside, "the home pose lies outside the [workspace] box");
     }
-    warnings_about_size(robot).iter().for_each(|text| warn(true, text));
     let some = |has: fn(&cdpr_model::robot::Cable) -> bool| robot.cables.iter().any(has);
     let all = |has: fn(&cdpr_model::robot::Cable) -> bool| robot.cables.iter().all(has);
     warn(
@@ -174,32 +173,14 @@ fn file_warnings(robot: &Robot) -> Vec<String> {
     warnings
 }
 
-/// Frames and platforms of a size that only another unit explains.
-fn warnings_about_size(robot: &Robot) -> Vec<String> {
-    let anchors = || robot.cables.iter().map(|cable| cable.frame_anchor);
-    let frame = anchors().flat_map(|a| anchors().map(move |other| (a - other).norm())).fold(0.0, f64::max);
-    let platform = robot.cables.iter().map(|cable| cable.platform_anchor.norm()).fold(0.0, f64::max);
-    let mut warnings = Vec::new();
-    if frame > LARGEST_FRAME {
-        warnings.push(format!(
-            "the frame anchors are up to {frame:.0} m apart: are they millimetres? Their key ends in _m"
-        ));
-    }
-    if frame > 0.0 && platform > frame {
-        warnings.push(format!(
-            "platform anchors are up to {platform:.3} m from the platform's origin, in a frame of {frame:.3} m: are they in \
-             millimetres, or in the world frame?"
-        ));
-    }
-    warnings
-}
-
 impl CheckAnswer {
     /// The answer for the standard model of a robot that supports these effects.
     pub fn of(model: &Model, supported: &Supported) -> Self {
         let robot = model.robot();
         let pose = robot.home_or_middle();
-        let mut warnings = file_warnings(robot);
+        let doubts = robot.doubts();
+        let mut warnings: Vec<String> = doubts.iter().map(|doubt| doubt.text.clone()).collect();
+        warnings.extend(file_warnings(robot));
         warnings.extend(load_warning(model));
         let (rank, condition, reason) = match scaled_structure_matrix(model, &pose) {
             Ok(matrix) => {
@@ -223,6 +204,7 @@ impl CheckAnswer {
             models: Models::new(supported),
             assumptions: robot.assumptions.clone(),
             warnings,
+            findings: doubts.iter().map(FoundKeys::of).collect(),
         }
     }
 }
@@ -244,10 +226,11 @@ impl Answer for CheckAnswer {
         };
         let mut text = format!(
             "{name}{title}\n\nmotion pattern    {motion_pattern}\ncables            {cable_count}\n\
-             home pose         {}\nstructure matrix  {structure}\ntensions          {}\nmodels            {}\n",
+             home pose         {}\nstructure matrix  {structure}\ntensions          {}\nmodels            {}\n{}",
             home.pose.words(),
             home.feasible_note,
             self.models.words(),
+            missing_effects::line(&self.models.missing),
         );
         if self.warnings.is_empty() {
             text.push_str("\nno warnings\n");
@@ -255,7 +238,6 @@ impl Answer for CheckAnswer {
             text.push_str("\nwarnings\n");
             self.warnings.iter().for_each(|warning| text.push_str(&format!("  {warning}\n")));
         }
-        text.push_str(&assumed_numbers::section("assumed numbers, neither printed nor measured", &self.assumptions));
-        text + &missing_effects::section(&self.models.missing)
+        text + &assumed_numbers::section("assumed numbers, neither printed nor measured", &self.assumptions)
     }
 }

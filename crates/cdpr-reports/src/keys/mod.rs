@@ -38,5 +38,5 @@ pub(crate) use tables::{
     AllowanceKeys, BenchmarkKeys, ChainStepKeys, InfluenceKeys, KindInfluenceKeys, MonteCarloKeys, RoundKeys,
     SweepRowKeys,
 };
-pub(crate) use warnings::WarningKeys;
+pub(crate) use warnings::{FoundKeys, WarningKeys};
 pub(crate) use workspace::AuditKeys;

@@ -2,6 +2,7 @@
 
 use cdpr_calibration::Doubt;
 use cdpr_calibration::selection::Warnings;
+use cdpr_model::finding::Finding;
 use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 
@@ -18,7 +19,7 @@ pub(crate) struct WarningKeys {
 /// Reason to doubt the answer; `cdpr explain finding::KIND` says what the kind means.
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "Finding")]
-struct FoundKeys {
+pub(crate) struct FoundKeys {
     kind: &'static str,
     /// Cable, counted from 1; null if it is about several or none.
     cable: Option<usize>,
@@ -40,14 +41,16 @@ impl WarningKeys {
     pub(crate) fn serialize<S: Serializer>(warnings: &Warnings, serializer: S) -> Result<S::Ok, S::Error> {
         let mut findings: Vec<&Doubt> = warnings.doubts.iter().collect();
         findings.sort_by_key(|doubt| std::cmp::Reverse(doubt.finding.severity));
-        let told = Self { warnings: warnings.list(), findings: findings.into_iter().map(FoundKeys::of).collect() };
+        let told = Self {
+            warnings: warnings.list(),
+            findings: findings.into_iter().map(|doubt| FoundKeys::of(&doubt.finding)).collect(),
+        };
         Serialize::serialize(&told, serializer)
     }
 }
 
 impl FoundKeys {
-    fn of(doubt: &Doubt) -> Self {
-        let finding = &doubt.finding;
+    pub(crate) fn of(finding: &Finding) -> Self {
         Self {
             kind: finding.kind.word(),
             cable: finding.cable.map(|cable| cable + 1),

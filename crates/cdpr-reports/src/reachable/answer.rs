@@ -3,9 +3,10 @@
 use cdpr_model::compensation::Beyond;
 use cdpr_model::control::MapEffect;
 use cdpr_study::Experiment;
-use cdpr_study::reachable::{Census, Image, Reachable, emerging_size};
-use cdpr_workspace::grid::{self, Grid};
+use cdpr_study::reachable::{CountedCells, Image, Reachable, emerging_size};
+use cdpr_workspace::grid;
 use cdpr_workspace::hull::Hull;
+use cdpr_workspace::{Audit, CONFIDENCE};
 use cdpr_workspace::{Bounds, Point, Region, components};
 use serde::{Serialize, Serializer};
 use serde_json::json;
@@ -24,6 +25,9 @@ pub struct Searched<'a> {
     /// Box that was searched.
     pub bounds: &'a Bounds,
 }
+
+/// Cells of a grid that refined itself whose emerging neighbours are asked for.
+const MOST_MOVED: usize = 20_000;
 
 /// Sizes of the workspaces of a study; keys and units as in JSON.
 #[derive(Serialize)]
@@ -67,6 +71,9 @@ pub struct ReachableAnswer {
     pub(super) remark: Option<String>,
     /// Bound of the error of the reachable one.
     pub(super) error_bound: Option<f64>,
+    /// Probability with which the bound holds, where points drawn at random show it.
+    #[serde(skip_serializing_if = "Option::is_none")]
+    pub(super) confidence: Option<f64>,
     /// Poses judged.
     pub(super) points: u64,
     /// Poses of these that are reached.
@@ -160,6 +167,7 @@ impl ReachableAnswer {
             compensation: None,
             remark: None,
             error_bound: None,
+            confidence: None,
             points,
             feasible_points,
             reaches_bounds: false,
@@ -177,12 +185,13 @@ impl ReachableAnswer {
     }
 
     /// Answer by the cells of a grid: those that are reached, also with each of these largest errors (m), and the wrench-feasible ones of machine and control model.
+    ///
+    /// The bound of the error is that of the audit; without one that of the cells at the boundary.
     pub fn of_grid(
         searched: Searched<'_>,
         reachable: &Reachable,
-        grid: &Grid,
-        census: &Census,
-        answers: &[bool],
+        CountedCells { grid, census, answers }: &CountedCells,
+        audit: Option<&Audit>,
         [physical, model]: [Option<grid::Outcome>; 2],
         thresholds: &[f64],
     ) -> Self {
@@ -194,7 +203,11 @@ impl ReachableAnswer {
         let size = |region: &Region<'_>| Some(grid::count(region, grid).outcome(grid).size);
         let of = |outcome: &Option<grid::Outcome>| outcome.as_ref().map(|outcome| outcome.size);
         let reaches = |outcome: &Option<grid::Outcome>| outcome.as_ref().is_some_and(|outcome| outcome.reaches_bounds);
-        let emerging = emerging_size(reachable, region, grid, &cells);
+        // the ratio of the sizes changes slowly from cell to cell: of a grid that refined itself some of them show it
+        let stride = audit.map_or(1, |_| cells.len().div_ceil(MOST_MOVED).max(1));
+        let some: Vec<_> = cells.iter().copied().step_by(stride).collect();
+        let all_of_some = cells.len() as f64 / some.len().max(1) as f64;
+        let emerging = all_of_some * emerging_size(reachable, region, grid, &some);
         let sizes = [Some(reached.size), Some(emerging), of(&physical), of(&model)];
         let answer = Self::new(searched, "grid", [grid.points(), cells.len() as u64], sizes);
         let is_planar = answer.reachable.is_planar;
@@ -208,7 +221,8 @@ impl ReachableAnswer {
         };
         let map = reachable.map_effect(region, &points, size);
         Self {
-            error_bound: Some(reached.error_bound),
+            error_bound: Some(audit.map_or(reached.error_bound, Audit::error_bound)),
+            confidence: audit.map(|_| CONFIDENCE),
             parts: Some(components(grid, answers).into_iter().map(part).collect()),
             by_accuracy: thresholds.iter().map(with_error).collect(),
             ..answer.cut_by([reaches(&physical), reaches(&model), reached.reaches_bounds])

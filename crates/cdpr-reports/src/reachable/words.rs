@@ -57,9 +57,12 @@ impl Answer for ReachableAnswer {
             text.push_str(&format!("\n{remark}\n"));
         }
         if let Some(bound) = self.error_bound {
+            let sure = self.confidence.map(|share| format!("; {} % sure", significant(100.0 * share, 3)));
             text.push_str(&format!(
-                "\nthe reachable one is known to ± {bound:.3} {unit} ({} points, {})\n",
-                self.points, self.method
+                "\nthe reachable one is known to ± {bound:.3} {unit} ({} points, {}{})\n",
+                self.points,
+                self.method,
+                sure.unwrap_or_default()
             ));
         }
         if let Some(Differential {

@@ -1,7 +1,8 @@
 //! Influences, tolerances and allowances as one answer.
 
+use cdpr_model::reading::Keyword;
 use cdpr_study::Experiment;
-use cdpr_study::sensitivity::{Influence, KindInfluence, Offsets, rank, rank_kinds};
+use cdpr_study::sensitivity::{Influence, Kind, KindInfluence, Offsets, Side, counted_as, rank, rank_kinds};
 use cdpr_study::study::{AccuracyOf, Distribution, Tolerances};
 use cdpr_study::tolerance::{Allowance, DeviationSettings, Deviations, MonteCarlo};
 use serde::Serialize;
@@ -37,6 +38,9 @@ pub struct SensitivityAnswer {
     /// Kinds of parameters.
     #[serde(with = "Each::<KindInfluenceKeys>")]
     pub kinds: Vec<KindInfluence>,
+    /// Kinds that are other names of an error, which counts once where the study states no tolerances.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    pub same_errors: Vec<SameError>,
     /// Parameters, the most influential first.
     pub parameters: Vec<ParameterAnswer>,
     /// Effects of the tolerances, where the study has any.
@@ -63,6 +67,19 @@ pub struct DifferencePose {
     pub pose: usize,
     /// Reason in words.
     pub reason: String,
+}
+
+/// A kind that is another name of an error.
+#[derive(Serialize)]
+pub struct SameError {
+    /// Side and kind, as `winches winch-offset`.
+    pub name: String,
+    /// Name under which the error counts.
+    pub counted_as: String,
+    #[serde(skip)]
+    pub(super) side: Side,
+    #[serde(skip)]
+    pub(super) kind: Kind,
 }
 
 /// One parameter.
@@ -146,6 +163,7 @@ fn answer(
     let by_differences = found.by_differences();
     let difference_poses: Vec<_> =
         by_differences.map(|(place, kink)| DifferencePose { pose: place + 1, reason: kink.to_string() }).collect();
+    let kinds = rank_kinds(&found.causes, &known, pattern.translations());
     let parameters = rank(&found.causes, &known, pattern.translations());
     SensitivityAnswer {
         status,
@@ -158,7 +176,8 @@ fn answer(
         derivatives: if difference_poses.is_empty() { "analytic" } else { "central-differences" },
         difference_poses,
         difference_error,
-        kinds: rank_kinds(&found.causes, &known, pattern.translations()),
+        same_errors: if found.spread.is_none() { same_errors(found, &kinds) } else { Vec::new() },
+        kinds,
         parameters: parameters
             .into_iter()
             .map(|influence| ParameterAnswer { name: influence.cause.name(machine), influence })
@@ -170,6 +189,15 @@ fn answer(
         has_rotation: experiment.machine.robot().motion_pattern.has_rotation(),
         remembers: experiment.machine.composition().stretch.remembers(),
     }
+}
+
+fn same_errors(found: &Deviations, kinds: &[KindInfluence]) -> Vec<SameError> {
+    let name = |side: Side, kind: Kind| format!("{} {kind}", side.name());
+    let one = |&KindInfluence { side, kind, .. }: &KindInfluence| {
+        let (first_side, first) = counted_as(side, kind, &found.causes)?;
+        Some(SameError { name: name(side, kind), counted_as: name(first_side, first), side, kind })
+    };
+    kinds.iter().filter_map(one).collect()
 }
 
 fn status(found: &Deviations, settings: &DeviationSettings) -> (&'static str, Option<String>) {

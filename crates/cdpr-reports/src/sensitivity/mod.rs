@@ -8,8 +8,11 @@ mod words;
 use cdpr_model::robot::ParameterKind;
 use cdpr_study::sensitivity::Kind;
 
-pub use answer::{AllowedAnswer, DifferencePose, Linear, ParameterAnswer, SensitivityAnswer, ToleranceAnswer};
+pub use answer::{
+    AllowedAnswer, DifferencePose, Linear, ParameterAnswer, SameError, SensitivityAnswer, ToleranceAnswer,
+};
 pub use map::map;
+pub(crate) use words::amount;
 
 /// A step that people think in: what it is in the unit of the kind, and its words.
 pub fn step(kind: Kind) -> (f64, &'static str) {

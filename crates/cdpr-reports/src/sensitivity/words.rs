@@ -2,7 +2,7 @@
 
 use super::{AllowedAnswer, ParameterAnswer, SensitivityAnswer, ToleranceAnswer, step};
 use cdpr_model::reading::Keyword;
-use cdpr_study::sensitivity::{KindInfluence, Offsets};
+use cdpr_study::sensitivity::{Kind, KindInfluence, Offsets, Side};
 use cdpr_study::study::AccuracyOf;
 use cdpr_study::tolerance::Quantiles;
 
@@ -11,7 +11,7 @@ use crate::number_format::{NONE, significant};
 use crate::table::Table;
 
 /// A deviation in the unit that people think in.
-fn amount(value: f64, unit: &str) -> String {
+pub(crate) fn amount(value: f64, unit: &str) -> String {
     let (factor, unit) = match unit {
         "m" => (1e3, "mm"),
         "1" => (1e2, "%"),
@@ -43,11 +43,12 @@ impl Answer for SensitivityAnswer {
             text.push_str(&format!("{reason}\n"));
         }
         text.push_str(&format!("\n{}\n{}", self.by_kind(width), self.by_parameter(width)));
+        text.push_str(&self.other_names());
         if let Some(tolerance) = &self.tolerance {
             text.push_str(&tolerance_words(tolerance, width));
         }
         if let Some(allowed) = &self.allowed {
-            text.push_str(&allowed_words(allowed, width));
+            text.push_str(&allowed_words(self, allowed, width));
         }
         text
     }
@@ -72,9 +73,32 @@ impl SensitivityAnswer {
         }
     }
 
+    /// True of kinds that are no other names of an error.
+    fn counts(&self, side: Side, kind: Kind) -> bool {
+        !self.same_errors.iter().any(|same| (same.side, same.kind) == (side, kind))
+    }
+
+    /// Names of errors that are left out, each behind the one that counts; empty where none is.
+    fn other_names(&self) -> String {
+        let mut counted: Vec<&str> = self.same_errors.iter().map(|same| same.counted_as.as_str()).collect();
+        counted.sort_unstable();
+        counted.dedup();
+        let of = |first: &&str| {
+            let others = self.same_errors.iter().filter(|same| same.counted_as == **first);
+            format!("{first} ({})", others.map(|same| same.name.as_str()).collect::<Vec<_>>().join(", "))
+        };
+        match counted.is_empty() {
+            true => String::new(),
+            false => format!(
+                "\nan error of several names counts once, as its other names are left out here: {}; [tolerances] states what deviates, and --format json has all\n",
+                counted.iter().map(of).collect::<Vec<_>>().join(", ")
+            ),
+        }
+    }
+
     /// Kinds, the most influential step first.
     fn by_kind(&self, width: Option<usize>) -> String {
-        let mut rows: Vec<_> = self.kinds.iter().collect();
+        let mut rows: Vec<_> = self.kinds.iter().filter(|kind| self.counts(kind.side, kind.kind)).collect();
         rows.sort_by(|a, b| {
             let moved = |kind: &KindInfluence| step(kind.kind).0 * kind.position_rms;
             moved(b).total_cmp(&moved(a))
@@ -97,7 +121,8 @@ impl SensitivityAnswer {
 
     /// Single parameters, the most influential step first.
     fn by_parameter(&self, width: Option<usize>) -> String {
-        let mut rows: Vec<_> = self.parameters.iter().collect();
+        let counts = |one: &&ParameterAnswer| self.counts(one.influence.cause.side, one.influence.cause.kind);
+        let mut rows: Vec<_> = self.parameters.iter().filter(counts).collect();
         rows.sort_by(|a, b| {
             let moved = |one: &ParameterAnswer| step(one.influence.cause.kind).0 * one.influence.position_mean;
             moved(b).total_cmp(&moved(a))
@@ -156,7 +181,7 @@ fn tolerance_words(tolerance: &ToleranceAnswer, width: Option<usize>) -> String 
     text
 }
 
-fn allowed_words(allowed: &AllowedAnswer, width: Option<usize>) -> String {
+fn allowed_words(answer: &SensitivityAnswer, allowed: &AllowedAnswer, width: Option<usize>) -> String {
     if allowed.kinds.is_empty() {
         return String::new();
     }
@@ -171,7 +196,7 @@ fn allowed_words(allowed: &AllowedAnswer, width: Option<usize>) -> String {
         allowed.worst_pose
     );
     let mut table = Table::new(["kind", "alone, σ", "alone, at most", "jointly, σ", "jointly, at most"]);
-    for kind in &allowed.kinds {
+    for kind in allowed.kinds.iter().filter(|kind| answer.counts(kind.side, kind.kind)) {
         let joint = |value: Option<f64>| value.map_or(NONE.to_owned(), |value| amount(value, kind.unit));
         table.row(vec![
             format!("{} {}", kind.side.name(), kind.kind),

@@ -18,6 +18,7 @@ mod memories;
 mod offsets;
 mod ranking;
 mod remembering;
+mod same_error;
 mod setting;
 mod windings;
 
@@ -29,6 +30,7 @@ pub use derivatives::{Derivatives, Differentiation};
 pub use kink::Kink;
 pub use offsets::Offsets;
 pub use ranking::{Influence, KindInfluence, rank, rank_kinds};
+pub use same_error::counted_as;
 pub use setting::Setting;
 
 use cdpr_model::control::Control;

@@ -2,7 +2,7 @@
 
 use super::{Allowed, Engine, MonteCarlo, Settings, Spread, allowed, monte_carlo, sigmas};
 use crate::experiment::Experiment;
-use crate::sensitivity::{Differentiation, Kind, Kink, Offsets, ParameterDeviation, PoseSensitivity, Side};
+use crate::sensitivity::{Differentiation, Kind, Kink, Offsets, ParameterDeviation, PoseSensitivity, Side, counted_as};
 use crate::study::{AccuracyOf, Tolerances};
 use cdpr_model::control::CommandedPose;
 use cdpr_model::control::InputError;
@@ -45,7 +45,7 @@ pub struct Deviations {
 
 impl Experiment {
     /// Effect of deviations at commanded poses, at least one. If no standard deviation is above 0, nothing is spread,
-    /// and the allowed tolerances are given for every kind.
+    /// and every error is jointly allowed its tolerance once, under the name that [`counted_as`] gives it.
     pub fn deviations(
         &self,
         commanded: Vec<CommandedPose>,
@@ -71,7 +71,11 @@ impl Experiment {
         found.allowed = settings.accuracy.map(|accuracy| {
             let named = |side: Side, kind: Kind| {
                 let mut own = tolerances.entries().filter(|&(_, _, _, sigma)| sigma > 0.0);
-                !is_given || own.any(|(other, of, ..)| (other, of) == (side, kind))
+                match is_given {
+                    true => own.any(|(other, of, ..)| (other, of) == (side, kind)),
+                    // nobody says what deviates: everything does, and an error of two names only once
+                    false => counted_as(side, kind, &found.causes).is_none(),
+                }
             };
             let counted = match tolerances.accuracy_of {
                 AccuracyOf::Error => found.errors.clone(),

@@ -10,6 +10,7 @@ use clap::Args;
 
 use crate::answer::Output;
 use crate::failure::Failure;
+use crate::file_kind::FileKind;
 use crate::files;
 use crate::numbers::Unreadable;
 
@@ -63,7 +64,10 @@ pub(super) fn run(arguments: &Arguments, output: &mut Output) -> Result<ExitCode
     let (bodies, cables) = (files::read(&arguments.bodies, Size::Text)?, files::read(&arguments.cables, Size::Text)?);
     let model = Files { bodies: &bodies, bodies_name: &bodies_name, cables: &cables, cables_name: &cables_name };
     let options = Options { cable_set: arguments.cable_set.as_deref(), name: arguments.name.as_deref() };
-    let import = import(&model, &options)?;
+    let import = import(&model, &options).map_err(|error| match error.file_name == cables_name {
+        true => FileKind::CasprCables.refusal(&cables, error),
+        false => FileKind::CasprBodies.refusal(&bodies, error),
+    })?;
     let acts = |finding: &&Finding| finding.loss != Loss::Ignored;
     if let Some(first) = import.findings.iter().find(acts).filter(|_| arguments.strict) {
         let count = import.findings.iter().filter(acts).count();

@@ -10,11 +10,11 @@ pub(super) struct EmbeddedFile {
     pub(super) text: &'static str,
 }
 
-/// A robot with a study of it.
+/// A robot with a study and a scenario of it.
 #[derive(Debug)]
 pub(super) struct Template {
     pub(super) name: &'static str,
-    files: [EmbeddedFile; 2],
+    files: [EmbeddedFile; 3],
 }
 
 macro_rules! templates {
@@ -24,6 +24,7 @@ macro_rules! templates {
             files: [
                 EmbeddedFile { path: "robot.toml", text: include_str!(concat!("templates/", $name, "-robot.toml")) },
                 EmbeddedFile { path: "study.toml", text: include_str!(concat!("templates/", $name, "-study.toml")) },
+                EmbeddedFile { path: "scenario.toml", text: include_str!(concat!("templates/", $name, "-scenario.toml")) },
             ],
         },)*]
     };
