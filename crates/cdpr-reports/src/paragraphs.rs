@@ -173,7 +173,7 @@ mod tests {
         let name = "standard:frame-anchor,platform-anchor,length-offset";
         assert_eq!(
             folded(&format!("is {name}"), 30),
-            ["is", "  standard:frame-anchor,", "  platform-anchor,", "  length-offset"]
+            ["is standard:frame-anchor,", "  platform-anchor,", "  length-offset"]
         );
         assert_eq!(
             folded("see /a/very/long/path/of/one/word.html", 20),
@@ -187,8 +187,8 @@ mod tests {
         let expected = [
             "  cdpr select robot.toml \\",
             "    samples.csv --candidates \\",
-            "    'standard; pulley' \\",
-            "    --out result",
+            "    'standard; pulley' --out \\",
+            "    result",
         ];
         assert_eq!(folded(command, 30), expected);
     }
