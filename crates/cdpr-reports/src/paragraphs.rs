@@ -71,7 +71,7 @@ impl Paragraphs {
 /// Columns by which the lines that continue one are indented further.
 const HANGING: usize = 2;
 
-/// What a shell takes for the end of a line that goes on.
+/// End of a line that goes on, for a shell.
 const CONTINUED: &str = " \\";
 
 /// A line in lines of at most so many columns, broken at spaces; what follows the first hangs below its words. Of words that are wider
