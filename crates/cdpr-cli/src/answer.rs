@@ -13,6 +13,7 @@ use serde::Serialize;
 use crate::console::{self, Console};
 use crate::diagnostics::{self, Looks};
 use crate::failure::Failure;
+use crate::session::Signs;
 use crate::stream::Stream;
 use cdpr_reports::answers::Envelope;
 use cdpr_reports::paragraphs::Paragraphs;
@@ -73,9 +74,14 @@ impl<'a> Output<'a> {
         }
     }
 
-    /// True if signs of life are wanted, and somebody sees them.
-    pub(crate) fn shows_progress(&self) -> bool {
-        !self.console.quiet && self.err.borrow().is_terminal()
+    /// Signs of life that are wanted.
+    pub(crate) fn signs(&self) -> Signs {
+        let err = self.err.borrow();
+        match (self.console.quiet, err.is_terminal(), err.is_of_process()) {
+            (false, true, _) => Signs::Line,
+            (false, false, true) => Signs::Lines,
+            _ => Signs::Nothing,
+        }
     }
 
     /// Names the robot that the command asks about, for answers without a key `robot`.

@@ -14,6 +14,15 @@ const INTERRUPTED: i32 = 130;
 /// Temporary files that exist now.
 static PENDING: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
+/// What an interruption leaves of the work, and how to go on; empty where nothing is kept.
+static KEPT: Mutex<String> = Mutex::new(String::new());
+
+/// From now on an interruption leaves this, in words that say how to go on.
+pub(crate) fn keeps(words: String) {
+    // words are whole whatever panicked
+    *KEPT.lock().unwrap_or_else(PoisonError::into_inner) = words;
+}
+
 fn pending() -> MutexGuard<'static, Vec<PathBuf>> {
     // a list of paths is whole whatever panicked
     PENDING.lock().unwrap_or_else(PoisonError::into_inner)
@@ -31,9 +40,12 @@ pub fn watch() {
             let _ = fs::remove_file(path);
         }
         let mut stderr = io::stderr();
-        if stderr.is_terminal() && !is_quiet() {
+        if !is_quiet() {
             // over the line of progress, if there is one
-            let _ = writeln!(stderr, "\r\x1b[Kinterrupted; no file is left half-written");
+            let over = if stderr.is_terminal() { "\r\x1b[K" } else { "" };
+            let kept = KEPT.lock().unwrap_or_else(PoisonError::into_inner);
+            let kept = if kept.is_empty() { "nothing of its work is kept" } else { kept.as_str() };
+            let _ = writeln!(stderr, "{over}interrupted; no file is left half-written; {kept}");
         }
         // the lock is held until the end: no other temporary file can appear
         process::exit(INTERRUPTED);

@@ -22,6 +22,7 @@ mod meshes;
 mod numbers;
 mod option_headings;
 mod options;
+mod pace;
 mod progress;
 mod scenario_file;
 mod selecting;
@@ -101,7 +102,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, out: &mut dyn Stream, 
         Err(error) => return usage::exit(&error, &words, out, err),
     };
     let mut output = Output::new(options.format, options.console(), out, err);
-    let session = Session { words, shows_progress: output.shows_progress() };
+    let session = Session { words, signs: output.signs() };
     let exit = options.pool(&output).and_then(|pool| {
         let work = || {
             session::enter(session);

@@ -11,8 +11,20 @@ use crate::options;
 pub(crate) struct Session {
     /// Words of the command line after the name of the program.
     pub(crate) words: Vec<String>,
-    /// True if signs of life are wanted, and somebody sees them.
-    pub(crate) shows_progress: bool,
+    /// Signs of life that are wanted.
+    pub(crate) signs: Signs,
+}
+
+/// Signs of life of work that takes long.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Signs {
+    /// A line that moves, on a terminal.
+    Line,
+    /// Now and then a plain line, where the messages of the process go to a file or a pipe.
+    Lines,
+    /// None: quiet is asked for, or a caller of the library has the messages.
+    #[default]
+    Nothing,
 }
 
 thread_local! {
@@ -24,9 +36,9 @@ pub(crate) fn enter(session: Session) {
     SESSION.set(session);
 }
 
-/// True if signs of life are wanted, and somebody sees them.
-pub(crate) fn shows_progress() -> bool {
-    SESSION.with_borrow(|session| session.shows_progress)
+/// Signs of life that are wanted.
+pub(crate) fn signs() -> Signs {
+    SESSION.with_borrow(|session| session.signs)
 }
 
 /// The command as it was given, quoted for a shell, without the options that do not touch the result.

@@ -9,6 +9,11 @@ pub trait Stream: Write + Send {
         false
     }
 
+    /// True for a stream of the process itself, to which signs of life may be written while a command works.
+    fn is_of_process(&self) -> bool {
+        false
+    }
+
     /// Characters in a line of the terminal; `None` if the stream is none, or does not tell.
     fn width(&self) -> Option<usize> {
         None
@@ -29,6 +34,10 @@ impl Stream for io::Stdout {
 }
 
 impl Stream for io::Stderr {
+    fn is_of_process(&self) -> bool {
+        true
+    }
+
     fn is_terminal(&self) -> bool {
         IsTerminal::is_terminal(self)
     }

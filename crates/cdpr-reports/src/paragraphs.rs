@@ -71,7 +71,7 @@ impl Paragraphs {
 /// Columns by which the lines that continue one are indented further.
 const HANGING: usize = 2;
 
-/// What a shell takes for the end of a line that goes on.
+/// End of a line that goes on, for a shell.
 const CONTINUED: &str = " \\";
 
 /// A line in lines of at most so many columns, broken at spaces; what follows the first hangs below its words. Of words that are wider
@@ -173,7 +173,7 @@ mod tests {
         let name = "standard:frame-anchor,platform-anchor,length-offset";
         assert_eq!(
             folded(&format!("is {name}"), 30),
-            ["is", "  standard:frame-anchor,", "  platform-anchor,", "  length-offset"]
+            ["is standard:frame-anchor,", "  platform-anchor,", "  length-offset"]
         );
         assert_eq!(
             folded("see /a/very/long/path/of/one/word.html", 20),
@@ -187,8 +187,8 @@ mod tests {
         let expected = [
             "  cdpr select robot.toml \\",
             "    samples.csv --candidates \\",
-            "    'standard; pulley' \\",
-            "    --out result",
+            "    'standard; pulley' --out \\",
+            "    result",
         ];
         assert_eq!(folded(command, 30), expected);
     }

@@ -12,6 +12,7 @@ use clap::Args;
 use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files::{self, OwnFolder};
+use crate::interruption;
 use crate::measurements::read_measured;
 use crate::progress::Progress;
 use crate::study_file::StudyFile;
@@ -62,13 +63,23 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     };
     let _own = OwnFolder::make(&arguments.out)?;
     check_same_study(&arguments)?;
-    let progress = Progress::spinner("planning and measuring");
+    let progress = Progress::spinner("planning round 1");
     let mut record = |order: &Order<'_>| -> Result<Option<Samples>, Refusal> {
+        let (round, rounds, count) = (order.round, table.rounds, order.poses.len());
+        progress.at(&format!("round {round} of {rounds} at most: recording {count} poses"));
+        let before = order.round - 1;
+        interruption::keeps(format!(
+            "the records of {before} {} are kept in {}; the same command goes on",
+            if before == 1 { "round" } else { "rounds" },
+            arguments.out.display()
+        ));
         let folder = arguments.out.join(format!("round-{}", order.round));
         let calibrated = order.experiment.control.robot().to_toml();
-        let round = RoundFolder { folder: &folder, seed: arguments.seed.wrapping_add(order.round as u64) };
-        round.write_order(order, &calibrated)?;
-        round.samples(&study, order, is_virtual, output)
+        let files_of_round = RoundFolder { folder: &folder, seed: arguments.seed.wrapping_add(order.round as u64) };
+        files_of_round.write_order(order, &calibrated)?;
+        let samples = files_of_round.samples(&study, order, is_virtual, output)?;
+        progress.at(&format!("round {round} of {rounds} at most: identifying from {count} new poses, and planning"));
+        Ok(samples)
     };
     let campaign = study.campaign(&poses, arguments.seed, &mut record).map_err(|refusal| match refusal {
         Refusal::Campaign(error) => study.refused(&error),

@@ -16,8 +16,10 @@ use crate::answer::Output;
 use crate::failure::Failure;
 use crate::file_kind::FileKind;
 use crate::files;
+use crate::interruption;
 use crate::numbers::Unreadable;
 use crate::progress::Progress;
+use crate::session::quoted;
 use crate::study_file::{robot_of_study, study_of};
 use cdpr_reports::sweep_progress::SweepProgress;
 
@@ -147,20 +149,33 @@ fn compute(folder: &Path, plan: &Plan, shard: Shard) -> Result<SweepProgress, Fa
     let mine: Vec<usize> = (shard.number - 1..plan.points.len()).step_by(shard.count).collect();
     let prepared = PreparedSweep::new(&plan.sweep, &plan.subjects);
     let prepared = prepared.map_err(|error| Failure::refused(&folder.display().to_string(), &error))?;
-    let progress = Progress::of(mine.len(), "sweeping");
-    let (mut computed, mut already_there) = (0, 0);
+    let name = quoted(&folder.display().to_string());
+    let next = match shard.count {
+        1 => format!("`cdpr sweep run {name}`"),
+        count => format!("`cdpr sweep run {name} --shard {}/{count}`", shard.number),
+    };
+    let (mut missing, mut computed) = (Vec::new(), 0);
     for &point in &mine {
-        match RowFile::read(folder, plan, point)? {
-            Some(_) => already_there += 1,
-            None => {
-                let row = match plan.sweep.calibration {
-                    Some(_) => prepared.calibration_row(point, &plan.points[point]),
-                    None => prepared.row(point, &plan.points[point]),
-                };
-                RowFile::write(folder, plan, row)?;
-                computed += 1;
-            }
+        if RowFile::read(folder, plan, point)?.is_none() {
+            missing.push(point);
         }
+    }
+    let already_there = mine.len() - missing.len();
+    // points that are there cost nothing and tell nothing of the others
+    let progress = Progress::of(missing.len(), "sweeping");
+    for point in missing {
+        interruption::keeps(format!(
+            "{} of {} points are kept in {}; {next} goes on",
+            already_there + computed,
+            mine.len(),
+            folder.display()
+        ));
+        let row = match plan.sweep.calibration {
+            Some(_) => prepared.calibration_row(point, &plan.points[point]),
+            None => prepared.row(point, &plan.points[point]),
+        };
+        RowFile::write(folder, plan, row)?;
+        computed += 1;
         progress.step();
     }
     drop(progress);

@@ -19,6 +19,15 @@ fn signals_are_ignored() -> bool {
 }
 
 fn start(folder: &Path, arguments: &str) -> Child {
+    program(folder, arguments).stderr(Stdio::null()).spawn().unwrap()
+}
+
+/// The same with its messages.
+fn start_told(folder: &Path, arguments: &str) -> Child {
+    program(folder, arguments).stderr(Stdio::piped()).spawn().unwrap()
+}
+
+fn program(folder: &Path, arguments: &str) -> Command {
     let program = assert_cmd::cargo::cargo_bin("cdpr");
     let mut command = match signals_are_ignored() {
         true => Command::new("env"),
@@ -28,7 +37,8 @@ fn start(folder: &Path, arguments: &str) -> Child {
         command.arg("--default-signal=HUP,INT,TERM").arg(&program);
     }
     command.current_dir(folder).args(arguments.split_whitespace());
-    command.stdin(Stdio::null()).stdout(Stdio::null()).stderr(Stdio::null()).spawn().unwrap()
+    command.stdin(Stdio::null()).stdout(Stdio::null());
+    command
 }
 
 fn names(folder: &Path) -> Vec<String> {
@@ -103,6 +113,26 @@ fn an_interruption_while_reading_leaves_nothing() {
     assert_eq!(interrupted(waiting, "-INT"), Some(130));
     drop(pipe);
     assert_eq!(names(folder.path()), before);
+}
+
+/// Ctrl-C in the middle of a sweep says how many points are there, and the command that it names computes the others.
+#[test]
+fn an_interrupted_sweep_says_what_is_kept_and_how_to_go_on() {
+    let folder = tempfile::tempdir().unwrap();
+    let sweep = super::root().join("studies/sweep-planar-stiffness.toml");
+    let mut child = start_told(folder.path(), &format!("sweep all {} --out points", sweep.display()));
+    let rows = || std::fs::read_dir(folder.path().join("points/rows")).map_or(0, Iterator::count);
+    until(|| rows() > 0 || child.try_wait().unwrap().is_some(), "the first point");
+    let stderr = child.stderr.take().unwrap();
+    if interrupted(child, "-INT") != Some(130) {
+        return; // a fast machine was through before
+    }
+    let told = std::io::read_to_string(stderr).unwrap();
+    assert!(told.contains("interrupted; no file is left half-written; "), "{told}");
+    assert!(told.contains("points are kept in points; `cdpr sweep run points` goes on"), "{told}");
+    let rest = cdpr_in(folder.path(), "sweep run points");
+    assert_eq!(rest.exit_code, 0, "{}", rest.stderr);
+    assert!(!rest.stdout.contains(" 0 already there"), "{}", rest.stdout);
 }
 
 /// When the second file cannot be written, the first one keeps its old content.

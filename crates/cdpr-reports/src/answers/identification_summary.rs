@@ -72,7 +72,7 @@ fn asked(answer: &IdentificationAnswer, width: usize) -> String {
     text
 }
 
-/// Where the rest is, with so many remarks and outliers in it.
+/// Sentence on where the rest is, with so many remarks and outliers in it.
 pub(super) fn more(remarks: usize, outliers: usize) -> String {
     let counts = [(remarks, "warning"), (outliers, "outlier")];
     let counts: String =

@@ -106,7 +106,7 @@ fn candidates(answer: &SelectionAnswer<'_>, width: usize) -> String {
     format!("candidates by {criterion} on validation data, and rms error of lengths\n{}", table.text(Some(width)))
 }
 
-/// Where the rest is.
+/// Sentence on where the rest is.
 fn more(answer: &SelectionAnswer<'_>) -> String {
     let remarks = match answer.warnings.remarks.len() {
         0 => String::new(),
