@@ -10,10 +10,9 @@ use cdpr_model::finding::Finding;
 use clap::{Args, ValueEnum};
 use serde::Serialize;
 
-use crate::console::{self, Console};
+use crate::console::{self, Console, Signs};
 use crate::diagnostics::{self, Looks};
 use crate::failure::Failure;
-use crate::session::Signs;
 use crate::stream::Stream;
 use cdpr_reports::answers::Envelope;
 use cdpr_reports::paragraphs::Paragraphs;

@@ -18,6 +18,18 @@ pub(crate) enum ColorChoice {
     Never,
 }
 
+/// Signs of life of work that takes long.
+#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
+pub(crate) enum Signs {
+    /// A line that moves, on a terminal.
+    Line,
+    /// Now and then a plain line, where the messages of the process go to a file or a pipe.
+    Lines,
+    /// None: quiet is asked for, or a caller of the library has the messages.
+    #[default]
+    Nothing,
+}
+
 /// Wishes of a run about what is written besides the answer.
 #[derive(Clone, Copy, Debug, Default)]
 pub(crate) struct Console {

@@ -14,7 +14,7 @@ const INTERRUPTED: i32 = 130;
 /// Temporary files that exist now.
 static PENDING: Mutex<Vec<PathBuf>> = Mutex::new(Vec::new());
 
-/// What an interruption leaves of the work, and how to go on; empty where nothing is kept.
+/// Words for the part of the work that an interruption leaves, and how to go on; empty where nothing is kept.
 static KEPT: Mutex<String> = Mutex::new(String::new());
 
 /// From now on an interruption leaves this, in words that say how to go on.

@@ -9,8 +9,9 @@ use std::time::{Duration, Instant};
 
 use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 
+use crate::console::Signs;
 use crate::pace::{Pace, time};
-use crate::session::{self, Signs};
+use crate::session;
 
 /// How long work may take before a line moves.
 const PATIENCE: Duration = Duration::from_secs(1);

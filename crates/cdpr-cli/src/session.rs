@@ -4,6 +4,7 @@
 
 use std::cell::RefCell;
 
+use crate::console::Signs;
 use crate::options;
 
 /// Words and wishes of a run.
@@ -13,18 +14,6 @@ pub(crate) struct Session {
     pub(crate) words: Vec<String>,
     /// Signs of life that are wanted.
     pub(crate) signs: Signs,
-}
-
-/// Signs of life of work that takes long.
-#[derive(Clone, Copy, Debug, Default, PartialEq, Eq)]
-pub(crate) enum Signs {
-    /// A line that moves, on a terminal.
-    Line,
-    /// Now and then a plain line, where the messages of the process go to a file or a pipe.
-    Lines,
-    /// None: quiet is asked for, or a caller of the library has the messages.
-    #[default]
-    Nothing,
 }
 
 thread_local! {

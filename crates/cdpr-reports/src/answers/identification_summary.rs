@@ -3,10 +3,11 @@
 use cdpr_calibration::selection::Warnings;
 use cdpr_calibration::{Verdict, coverage};
 
+use super::Answer;
 use super::error_table::headline_errors;
 use super::frame_words::{frame_words, shift_words};
 use super::identification_answer::IdentificationAnswer;
-use super::identification_words::{clock_words, error_columns, verdict_words};
+use super::identification_words::{all_words, clock_words, error_columns, verdict_words};
 use super::reduction_answer::ReductionAnswer;
 use super::start_words::start_words;
 use super::summary_parts::{add_doubts, changes, counted, ranges, tone, worst_cable};
@@ -19,7 +20,7 @@ pub(super) fn summary(answer: &IdentificationAnswer, width: usize) -> Paragraphs
     let mut page = Paragraphs::default();
     page.add(Tone::Plain, &format!("{robot}: {} samples of {}", found.sample_count, told.data));
     page.gap();
-    outcome(&mut page, answer.verdict, (&answer.label, &fit.reason), &told.warnings);
+    outcome(&mut page, answer.verdict, &answer.label, &fit.reason, &told.warnings);
     add_doubts(&mut page, &told.warnings);
     page.gap();
     page.add(Tone::Plain, &headline_errors(answer.pattern, &error_columns(found), Some(width)));
@@ -52,7 +53,7 @@ pub(super) fn summary(answer: &IdentificationAnswer, width: usize) -> Paragraphs
 }
 
 /// Adds the outcome of a fit: its word and the name of the model, and the reason of its end where no doubt repeats it.
-pub(super) fn outcome(page: &mut Paragraphs, verdict: Verdict, (label, reason): (&str, &str), warnings: &Warnings) {
+pub(super) fn outcome(page: &mut Paragraphs, verdict: Verdict, label: &str, reason: &str, warnings: &Warnings) {
     page.add(tone(verdict), &format!("{}: {label}", verdict_words(verdict).trim_end_matches(',')));
     let is_of_end = matches!(verdict, Verdict::NotConverged | Verdict::NotIdentifiable | Verdict::NotPredictive);
     if is_of_end && warnings.doubts.iter().all(|doubt| !doubt.words().contains(reason)) {
@@ -78,4 +79,22 @@ pub(super) fn more(remarks: usize, outliers: usize) -> String {
     let counts: String =
         counts.into_iter().filter(|(count, _)| *count > 0).map(|(count, noun)| counted(count, noun) + ", ").collect();
     format!("more with --verbose: {counts}every parameter, rank and condition, all errors\n")
+}
+
+impl Answer for IdentificationAnswer {
+    fn is_negative(&self) -> bool {
+        self.verdict.is_negative()
+    }
+
+    fn may_be_accepted(&self) -> bool {
+        self.verdict.may_be_accepted()
+    }
+
+    fn words(&self, width: Option<usize>) -> String {
+        all_words(self, width)
+    }
+
+    fn summary(&self, width: usize) -> Option<Paragraphs> {
+        Some(summary(self, width))
+    }
 }

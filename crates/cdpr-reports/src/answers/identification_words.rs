@@ -6,36 +6,16 @@ use cdpr_calibration::{Analysis, ClockOffset, Doubt, ErrorBlocks, Outlier, Verdi
 use cdpr_model::finding::Severity;
 use cdpr_study::Identification;
 
-use super::Answer;
 use super::error_table::{Source, error_table};
 use super::frame_words::{frame_words, shift_words};
 use super::identification_answer::IdentificationAnswer as Identified;
-use super::identification_summary::summary;
 use super::reduction_answer::ReductionAnswer;
 use super::start_words::start_words;
 use crate::number_format::{cell, decimals_for};
-use crate::paragraphs::Paragraphs;
 use crate::table::Table;
 
-impl Answer for Identified {
-    fn is_negative(&self) -> bool {
-        self.verdict.is_negative()
-    }
-
-    fn may_be_accepted(&self) -> bool {
-        self.verdict.may_be_accepted()
-    }
-
-    fn words(&self, width: Option<usize>) -> String {
-        of(self, width)
-    }
-
-    fn summary(&self, width: usize) -> Option<Paragraphs> {
-        Some(summary(self, width))
-    }
-}
-
-fn of(answer: &Identified, width: Option<usize>) -> String {
+/// All words of an identification.
+pub(super) fn all_words(answer: &Identified, width: Option<usize>) -> String {
     let Identified { robot, model, told, found, .. } = answer;
     let (fit, data, samples) = (&found.fit, &told.data, found.sample_count);
     let (parameter_count, iterations, reason) = (fit.parameters.len(), fit.iterations, &fit.reason);

@@ -8,24 +8,19 @@ use cdpr_model::model::Model;
 use cdpr_model::robot::Robot;
 use serde::Serialize;
 
-use super::Answer;
 use super::CourseAnswer;
 use super::PoseAnswer;
 use super::PoselessJudgement;
-use super::identification_words::{doubt_words, identifiability, parameters, verdict_words};
-use super::self_calibration_summary::summary;
-use super::start_words::start_words;
 use super::summary_parts::MOST_CHANGES;
 use crate::keys::{ComparisonKeys, Maybe, SelfCalibrationKeys, WarningKeys};
 use crate::number_format::significant;
-use crate::paragraphs::Paragraphs;
 use crate::report::Addition;
 
 /// Parameters found from lengths at unknown poses.
 #[derive(Serialize)]
 pub struct SelfCalibrationAnswer {
     pub(super) robot: String,
-    model: String,
+    pub(super) model: String,
     free: String,
     pub(super) data: String,
     pub(super) samples: usize,
@@ -50,9 +45,9 @@ pub struct SelfCalibrationAnswer {
     #[serde(flatten, with = "WarningKeys")]
     pub(super) warnings: Warnings,
     #[serde(skip_serializing_if = "Option::is_none")]
-    out: Option<String>,
+    pub(super) out: Option<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
-    out_poses: Option<String>,
+    pub(super) out_poses: Option<String>,
     /// Effects and free parameters in plain words.
     #[serde(skip)]
     pub(super) label: String,
@@ -156,55 +151,6 @@ impl SelfCalibrationAnswer {
         let files = [("calibrated robot", &self.out), ("samples with the poses found", &self.out_poses)];
         let line = |(what, path): (&str, &Option<String>)| Some(format!("{what} written to {}\n", path.as_ref()?));
         files.into_iter().filter_map(line).collect()
-    }
-}
-
-impl Answer for SelfCalibrationAnswer {
-    fn summary(&self, width: usize) -> Option<Paragraphs> {
-        Some(summary(self, width))
-    }
-
-    fn is_negative(&self) -> bool {
-        self.verdict.is_negative()
-    }
-
-    fn may_be_accepted(&self) -> bool {
-        self.verdict.may_be_accepted()
-    }
-
-    fn words(&self, width: Option<usize>) -> String {
-        let Self { robot, model, data, samples, found, .. } = self;
-        let SelfCalibration { fit, parameter_count, equations, .. } = found;
-        let mut text = format!(
-            "{robot}, model {model}: {parameter_count} parameters from {samples} samples of {data}, poses unknown ({equations} equations are left for the parameters)\n"
-        );
-        let Warnings { doubts, remarks } = &self.warnings;
-        text.push_str(&doubt_words(doubts));
-        text.push_str(&format!(
-            "{} after {} iterations: {}\n",
-            verdict_words(self.verdict),
-            fit.iterations,
-            fit.reason
-        ));
-        text.push_str(&format!("ended by {}\n", fit.stopped_by));
-        text.push_str(&length_words(found));
-        found.sensors.iter().for_each(|fit| text.push_str(&sensor_words(fit)));
-        text.push_str(&self.gauge_words());
-        text.extend(self.validation.iter().map(PoselessJudgement::words));
-        text.extend(self.comparison.iter().map(comparison_words));
-        text.push_str(&format!(
-            "\n{}\n{}",
-            parameters(&fit.parameters, width),
-            identifiability(&fit.analysis, *parameter_count, fit.noise_factor)
-        ));
-        text.extend(self.course.iter().map(|course| course.words(width)));
-        if !remarks.is_empty() {
-            text.push_str("\nwarnings\n");
-            remarks.iter().for_each(|warning| text.push_str(&format!("  {warning}\n")));
-        }
-        text.push_str(&start_words(&fit.starts, width));
-        self.file_words().lines().for_each(|line| text.push_str(&format!("\n{line}\n")));
-        text
     }
 }
 
