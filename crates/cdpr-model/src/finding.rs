@@ -83,7 +83,7 @@ kinds! {
     WeakDirection = "weak-direction", "finding::weak-direction",
     /// Parameters at a bound.
     Bound = "bound", "finding::bound",
-    /// A search that ended before its optimum, or with several.
+    /// A search that ended before its optimum, or with several; candidates that could not be judged.
     Unsettled = "unsettled", "finding::unsettled",
     /// Numbers that the data cannot see.
     Unseen = "unseen", "finding::unseen",
@@ -91,8 +91,6 @@ kinds! {
     Outlier = "outlier", "finding::outlier",
     /// A sensor whose column does not fit the others.
     Sensor = "sensor", "finding::sensor",
-    /// Candidates that could not be judged.
-    Candidate = "candidate", "finding::candidate",
 }
 
 impl fmt::Display for FindingKind {

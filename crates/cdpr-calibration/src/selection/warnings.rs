@@ -145,7 +145,7 @@ impl Selection {
         let (count, all) = (failures().count(), self.candidates.len());
         let others = if count > 1 { format!(" and {} others", count - 1) } else { String::new() };
         let words = format!("{count} of {all} candidates could not be judged, `{name}`{others}: {reason}");
-        Some(Finding::new(FindingKind::Candidate, Severity::Caution, words))
+        Some(Finding::new(FindingKind::Unsettled, Severity::Caution, words))
     }
 
     /// The reason why nobody should rely on a candidate, with the best one that is sound beside it.

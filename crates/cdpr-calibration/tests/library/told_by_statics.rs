@@ -2,8 +2,9 @@
 
 use cdpr_calibration::candidate::{KnownTensions, parse_list};
 use cdpr_calibration::fit::{Settings as Fitting, fit};
-use cdpr_calibration::selection::{Settings, select};
-use cdpr_calibration::unobserved;
+use cdpr_calibration::selection::{Settings, Warnings, select};
+use cdpr_calibration::{Doubt, unobserved};
+use cdpr_model::finding::{FindingKind, Severity};
 use cdpr_model::geometry::Pose;
 use cdpr_model::measurement::{Samples, SensorSigmas, Split};
 use cdpr_model::model::{Composition, Model};
@@ -171,4 +172,21 @@ fn intervals_hold_without_load_cells() {
     let share = f64::from(held) / f64::from(all);
     println!("{all} intervals, {:.2} % hold the truth", 100.0 * share);
     assert!((0.93..=0.97).contains(&share), "{share}");
+}
+
+/// A candidate that cannot be judged is a caution of the choice among the others, with its reason.
+#[test]
+fn a_candidate_that_failed_is_told() {
+    let (robot, samples) = elastic_record(1);
+    let folds = Split::Blocks(5).folds(&samples, 0).unwrap();
+    let candidates = parse_list("standard:length-offset;elastic:length-offset;drum:drum-radius").unwrap();
+    let found = select(&robot, &candidates, &samples, &folds, &Settings::default(), &unobserved).unwrap();
+    assert_eq!(found.recommended, Some(1));
+    let warnings = found.warnings(&samples, &Warnings::default());
+    let of_kind = |doubt: &&Doubt| doubt.finding.kind == FindingKind::Unsettled;
+    let told: Vec<&Doubt> = warnings.doubts.iter().filter(of_kind).collect();
+    assert_eq!(told.len(), 1, "{:?}", warnings.list());
+    assert_eq!(told[0].finding.severity, Severity::Caution);
+    let text = &told[0].finding.text;
+    assert!(text.contains("1 of 3 candidates") && text.contains("`drum:drum-radius`"), "{text}");
 }
