@@ -1,6 +1,6 @@
 //! Files given where a file of another kind is read, named by their content with the command that takes them.
 //!
-//! Nothing is looked at before a reader has refused the file, so that whatever can be read is read.
+//! Kinds are sought only after a reader has refused the file, so that no readable file is refused.
 
 use std::path::Path;
 

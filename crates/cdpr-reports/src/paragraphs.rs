@@ -155,7 +155,7 @@ mod tests {
         assert_eq!(folded(line, 100), [line]);
     }
 
-    /// Every letter but blanks is kept, whatever the width, and no line that could be broken is wider.
+    /// Folding keeps every letter but blanks at any width, and breaks every line that is wider and can be broken.
     #[test]
     fn nothing_is_lost_and_lines_fit_wherever_a_word_does() {
         let line = "caution: 3 of 20 samples count less; lines 4,17,20, σ = 1.2 mm (a²) – 机器人 in /tmp/a/long/path/to/a/file.toml";

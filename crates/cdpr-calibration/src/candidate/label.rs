@@ -57,7 +57,7 @@ mod tests {
         }
     }
 
-    /// A label in place of a name tells candidates apart as the name does.
+    /// Labels of the default ladder differ as the names do.
     #[test]
     fn no_two_candidates_of_a_ladder_share_a_label() {
         use crate::candidate::{KnownTensions, Ladder, PlatformAnchors, defaults};

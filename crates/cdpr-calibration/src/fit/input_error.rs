@@ -34,7 +34,7 @@ pub enum InputError {
         /// Poses needed.
         needed: usize,
     },
-    /// A frame of a record that tells nothing of poses.
+    /// A free frame beside a record without any component of a pose.
     #[error(
         "`{name}` is free, but the record has no component of a pose in which it shows: leave it out, or record positions (x_m, y_m, z_m) or orientations"
     )]

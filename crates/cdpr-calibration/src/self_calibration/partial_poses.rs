@@ -1,4 +1,4 @@
-//! Poses that a tracker tells in part, in frames of its own: which components of the frames are free, and where searches begin.
+//! Partly measured poses in the frames of a tracker: the free components of the frames, and their start values.
 
 use crate::fit::{InputError, Settings, check_recording, start_by_positions};
 use cdpr_model::measurement::InternalSamples;
@@ -30,7 +30,7 @@ impl Measured {
     }
 }
 
-/// Frames that are free and not held, of a record that tells poses in part; refused where it tells nothing of them.
+/// Returns the frames that are free and not held; an error if the record has no component of a pose.
 pub(super) fn freed_frames(
     model: &Model,
     internal: &InternalSamples,

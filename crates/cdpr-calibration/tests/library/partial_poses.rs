@@ -1,4 +1,4 @@
-//! A tracker that tells poses in part, in a world of its own: one reflector, an inclinometer.
+//! Calibration by partly measured poses in the frame of the tracker: positions of one reflector, or orientations of an inclinometer.
 
 use super::support::{builtin, random_pose};
 use cdpr_calibration::fit::{InputError, Settings, Status};
@@ -32,7 +32,7 @@ fn machine() -> Model {
     Model::new(robot, Composition::STANDARD).unwrap()
 }
 
-/// A record of which the tracker tells some components.
+/// Record with measured positions, orientations, both or neither.
 fn recorded(known: [bool; 2], seed: u64) -> InternalSamples {
     let (machine, (tracker, marker)) = (machine(), frames());
     let mut rng = ChaCha8Rng::seed_from_u64(seed);

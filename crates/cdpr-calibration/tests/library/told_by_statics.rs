@@ -1,4 +1,4 @@
-//! Elastic and sagging cables without load cells: a known load on no more cables than degrees of freedom tells tensions. The records are of equations of their own.
+//! Elastic and sagging models without recorded tensions (m ≤ n, known load), on records computed without the library.
 
 use cdpr_calibration::candidate::{KnownTensions, parse_list};
 use cdpr_calibration::fit::{Settings as Fitting, fit};
@@ -18,7 +18,7 @@ use rand_distr::{Distribution, StandardNormal};
 const WEIGHT: f64 = 40.0 * 9.81;
 const POSITION: f64 = 5e-4;
 const LENGTH: f64 = 2e-4;
-/// What the winches read too much, cable by cable (m).
+/// Offsets of the recorded lengths, cable by cable (m).
 const OFFSETS: [f64; 3] = [0.012, -0.008, 0.005];
 /// Stiffness EA of the cables (N), and their weight per length (N/m).
 const STIFFNESS: f64 = 4e4;

@@ -22,7 +22,7 @@ fn the_planar_example_needs_elasticity_only_where_millimetres_count() {
     assert!(full["position_error_m"]["max"].as_f64().unwrap() < 1e-9);
 }
 
-/// What the file knows nothing of, and what wrong numbers do, stand beside the verdict and not below a list.
+/// Effects that were not judged and errors of numbers stand beside the verdict.
 #[test]
 fn effects_that_were_not_judged_and_wrong_numbers_stand_beside_the_verdict() {
     let command = "advise planar-example --task=-0.5,0.5,4.7,5.7 --accuracy 0.1";

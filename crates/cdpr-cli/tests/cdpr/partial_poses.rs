@@ -4,7 +4,7 @@ use nalgebra::{UnitQuaternion, Vector3};
 
 use super::cdpr_in;
 
-/// What drives a robot whose winches read up to 20 mm too much.
+/// Study of a robot whose recorded lengths are up to 20 mm too long.
 const STUDY: &str = r#"[control]
 robot = "cogiro"
 [machine]

@@ -1,4 +1,4 @@
-//! What a terminal shows fits it: every example of the book at 80 columns, nothing lost, and no line of a file folded.
+//! Text of commands fits 80 columns: examples of the book; files and tables on stdout are not folded.
 
 use std::path::Path;
 
@@ -131,7 +131,7 @@ fn colour_marks_the_outcome_and_its_doubts() {
     assert_eq!(without, plain);
 }
 
-/// What another program reads has the lines that were written.
+/// Output for other programs keeps its lines.
 #[test]
 fn files_and_tables_on_stdout_are_not_folded() {
     let folder = tempfile::tempdir().unwrap();

@@ -17,7 +17,7 @@ pub struct ParameterError {
     pub side: Side,
     /// Kind of the numbers.
     pub kind: Kind,
-    /// Displacement of the platform if all numbers of the kind are off by one standard deviation, root mean square over the poses (m per unit).
+    /// Root mean square over the poses of the displacement of the platform by errors of one standard deviation in all numbers of the kind (m per unit).
     pub position_rms: f64,
     /// The same at the worst pose (m per unit).
     pub position_max: f64,

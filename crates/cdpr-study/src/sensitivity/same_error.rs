@@ -1,7 +1,7 @@
 //! Errors that have several names: a number of the machine that the controller's file has wrong, a zero, a scale, a load.
 //!
 //! An anchor that is 1 mm beside the one of the file may be called a deviation of the machine or of the control model; it is one error.
-//! Where nobody states which numbers deviate, each error counts once, under the name that comes first here: that of the machine before
+//! Without stated tolerances each error counts once, under the name that comes first here: that of the machine before
 //! those of winches and control model.
 
 use cdpr_model::robot::ParameterKind;

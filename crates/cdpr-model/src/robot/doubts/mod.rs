@@ -10,7 +10,7 @@ mod symmetry;
 use super::Robot;
 use crate::finding::Finding;
 
-/// Doubts in the order in which they are told; a row is one kind.
+/// Functions of all kinds of doubts, in the order of their findings.
 const DOUBTS: [fn(&Robot) -> Vec<Finding>; 5] = [
     gravity::upside_down,
     gravity::anchors_below,

@@ -1,7 +1,7 @@
 //! One anchor beside the place that the symmetry of all others gives it.
 //!
 //! A symmetry mirrors one axis or several about a centre, which pairs of anchors show. A displaced anchor leaves itself and its image without
-//! partners under every symmetry that the others have: where two symmetries or more agree on its place, it is told.
+//! partners under every symmetry that the others have: a finding is returned where two symmetries or more agree on its place.
 
 use nalgebra::Vector3;
 
