@@ -241,10 +241,18 @@ impl<'a> SensorResidual<'a> {
         let relaxed = SampleSensors { weights: &relaxed, ..self.sensors() };
         let is_use = |end: &Settled| end.is_least || !self.has_settled;
         let by_geometry = |latent: &Latent| from(&relaxed.settle(rows, sample, latent).filter(is_use)?.latent);
-        let before = sample.checked_sub(1).map(|before| Latent { pose: self.found[before].pose, ..guess.clone() });
+        let before = sample.checked_sub(1).map(|before| self.placed(sample, &self.found[before].pose));
         let starts: Vec<Latent> = std::iter::once(guess.clone()).chain(before).collect();
         let ends = starts.iter().flat_map(|latent| [from(latent), by_geometry(latent)]).flatten();
         near.into_iter().chain(ends).reduce(Settled::better)
+    }
+
+    /// The sample near the pose of another one, with the components that its own record states exactly.
+    fn placed(&self, sample: usize, near: &Pose) -> Latent {
+        let (guessed, known) = (&self.guesses[sample], &self.internal.known[sample]);
+        let is_exact = |(twist, own): (&Twist, &bool)| *own && self.weights.along(twist, known) == 0.0;
+        let exact: Vec<bool> = self.model.twist_basis().iter().zip(known).map(is_exact).collect();
+        Latent { pose: guess(&self.model, &guessed.pose, &exact, near), ..guessed.clone() }
     }
 
     /// Rows of a sample without what its pose and tensions explain.

@@ -2,7 +2,6 @@
 
 use super::{RowsOf, SensorResidual, Settled};
 use crate::norms::median;
-use crate::residual::Latent;
 use cdpr_model::equilibrium::restart_poses;
 use cdpr_model::model::Model;
 
@@ -42,7 +41,7 @@ impl SensorResidual<'_> {
         let neighbours = [sample.checked_sub(1), Some(sample + 1)].into_iter().flatten().filter_map(|k| ends.get(k));
         let near = neighbours.map(|end| end.latent.pose).chain([self.guesses[sample].pose]);
         let starts = near.chain(restart_poses(model, &own.pose).take(RESTARTS));
-        let from = |pose| self.sensors().settle(&rows.bare, sample, &Latent { pose, ..self.guesses[sample].clone() });
+        let from = |pose| self.sensors().settle(&rows.bare, sample, &self.placed(sample, &pose));
         starts.filter_map(from).filter(|end| end.is_least).reduce(Settled::better)
     }
 }

@@ -142,3 +142,24 @@ fn swivel_angles_count_from_gravity() {
         assert!((Swivel::of(&model, cable, &turned).unwrap().minus(6.0) + 6.0 - std::f64::consts::TAU).abs() < 0.2);
     }
 }
+
+/// A search from the pose of another sample keeps the height that the sample's own probe states exactly.
+#[test]
+fn searches_from_other_poses_keep_what_a_sample_knows_exactly() {
+    let model = hanging();
+    let (mut internal, _) = measured();
+    let at = |z: f64| Pose::from_xyz_angles(Vector3::new(0.0, 0.0, z), [0.0; 3]);
+    internal.samples.poses = vec![at(0.45), at(0.6)];
+    internal.samples.lengths = internal.samples.lengths.repeat(2);
+    internal.samples.tensions = None;
+    internal.samples.sigmas = SensorSigmas::default();
+    internal.swivels = None;
+    internal.known = vec![vec![false, false, true, false, false, false]; 2];
+    let weights = Weights::new(&model, &internal.samples.sigmas, 37.5);
+    let layout = SensorLayout::of(&model, &internal, false, &weights);
+    let sensors = super::SensorResidual::new(&model, &internal, &[], &layout, &weights);
+    let near = Pose::from_xyz_angles(Vector3::new(0.1, -0.2, 0.45), [0.1, -0.05, 0.2]);
+    let placed = sensors.placed(1, &near).pose;
+    assert_eq!(placed.position, Vector3::new(0.1, -0.2, 0.6));
+    assert_eq!(placed.rotation, near.rotation);
+}
