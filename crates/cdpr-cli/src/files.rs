@@ -10,17 +10,47 @@ use tempfile::NamedTempFile;
 
 use crate::failure::Failure;
 use crate::interruption;
+use crate::session;
+use crate::surroundings::SharedFiles;
 
 /// The bytes of a file, no more than its kind may have.
 pub(crate) fn read(path: &Path, size: Size) -> Result<Vec<u8>, Failure> {
+    if let Some(bytes) = in_memory(path) {
+        return Ok(bytes);
+    }
     bytes_of(path, size).map_err(|error| match error {
         FileError::Unreadable { path, source } => Failure::io("read", &path.display().to_string(), &source),
         FileError::Refused(error) => error.into(),
     })
 }
 
+/// The bytes of a file that a run has in memory.
+fn in_memory(path: &Path) -> Option<Vec<u8>> {
+    session::files()?.get(path)
+}
+
+/// True if there is a file of this path.
+pub(crate) fn is_there(path: &Path) -> bool {
+    path.is_file() || session::files().is_some_and(|files| files.lock().contains_key(path))
+}
+
+/// Files and folders in a folder; none where it does not exist.
+pub(crate) fn listed(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
+    let in_memory = session::files().map(|files| files.in_folder(folder)).unwrap_or_default();
+    let unreadable = |error| Failure::io("read", &folder.display().to_string(), &error);
+    let entries = match fs::read_dir(folder) {
+        Ok(entries) => entries.map(|entry| Ok(entry?.path())).collect::<io::Result<Vec<_>>>().map_err(unreadable)?,
+        Err(error) if error.kind() == io::ErrorKind::NotFound => Vec::new(),
+        Err(error) => return Err(unreadable(error)),
+    };
+    Ok(entries.into_iter().chain(in_memory).collect())
+}
+
 /// The bytes of a file that need not exist.
 pub(crate) fn read_if_there(path: &Path, size: Size) -> Result<Option<Vec<u8>>, Failure> {
+    if let Some(bytes) = in_memory(path) {
+        return Ok(Some(bytes));
+    }
     match fs::metadata(path) {
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
         _ => read(path, size).map(Some),
@@ -29,6 +59,9 @@ pub(crate) fn read_if_there(path: &Path, size: Size) -> Result<Option<Vec<u8>>, 
 
 /// Makes a folder and those above it.
 pub(crate) fn make_folder(path: &Path) -> Result<(), Failure> {
+    if session::files().is_some() {
+        return Ok(());
+    }
     fs::create_dir_all(path).map_err(|error| Failure::io("make the folder", &path.display().to_string(), &error))
 }
 
@@ -42,6 +75,9 @@ pub(crate) struct OwnFolder {
 impl OwnFolder {
     pub(crate) fn make(folder: &Path) -> Result<Self, Failure> {
         make_folder(folder)?;
+        if session::files().is_some() {
+            return Ok(Self { _locked: None });
+        }
         // where a system cannot lock folders, files are still whole, only results may mix
         let locked = fs::File::open(folder).ok().filter(|handle| handle.lock().is_ok());
         Ok(Self { _locked: locked })
@@ -56,6 +92,10 @@ pub(crate) fn write(path: &Path, content: &[u8]) -> Result<(), Failure> {
 /// Writes files that belong together: all are written beside their targets before the first target is replaced, so that a
 /// full disk or an interruption leaves the old ones.
 pub(crate) fn write_all(files: &[(&Path, &[u8])]) -> Result<(), Failure> {
+    if let Some(in_memory) = session::files() {
+        in_memory.lock().extend(files.iter().map(|(path, content)| ((*path).to_owned(), content.to_vec())));
+        return Ok(());
+    }
     let mut staged = Vec::with_capacity(files.len());
     let result = stage_and_place(files, &mut staged);
     // what has no place by now goes, and then an interruption has nothing to remove
@@ -73,16 +113,29 @@ const WAITING_TIME: Duration = Duration::from_millis(100);
 
 /// A file that grows while a run goes on, under its own name: whenever the run ends, what is there are whole lines.
 pub(crate) struct GrowingFile {
-    file: fs::File,
+    file: Growing,
     path: PathBuf,
     waiting: String,
     written: Instant,
 }
 
+/// Place of a growing file.
+enum Growing {
+    OnDisk(fs::File),
+    InMemory(SharedFiles),
+}
+
 impl GrowingFile {
     /// An empty file in place of the one that may be there.
     pub(crate) fn make(path: &Path) -> Result<Self, Failure> {
-        let file = fs::File::create(path).map_err(|error| Failure::io("write", &path.display().to_string(), &error))?;
+        let unwritable = |error| Failure::io("write", &path.display().to_string(), &error);
+        let file = match session::files() {
+            Some(files) => {
+                files.lock().insert(path.to_owned(), Vec::new());
+                Growing::InMemory(files)
+            }
+            None => Growing::OnDisk(fs::File::create(path).map_err(unwritable)?),
+        };
         Ok(Self { file, path: path.to_owned(), waiting: String::new(), written: Instant::now() })
     }
 
@@ -97,7 +150,13 @@ impl GrowingFile {
 
     /// Writes what waits.
     pub(crate) fn write(&mut self) -> Result<(), Failure> {
-        let written = self.file.write_all(self.waiting.as_bytes());
+        let written = match &mut self.file {
+            Growing::OnDisk(file) => file.write_all(self.waiting.as_bytes()),
+            Growing::InMemory(files) => {
+                files.lock().entry(self.path.clone()).or_default().extend_from_slice(self.waiting.as_bytes());
+                Ok(())
+            }
+        };
         self.waiting.clear();
         self.written = Instant::now();
         written.map_err(|error| Failure::io("write", &self.path.display().to_string(), &error))
@@ -106,6 +165,10 @@ impl GrowingFile {
 
 /// Removes a file of an earlier result, where there is one.
 pub(crate) fn remove(path: &Path) -> Result<(), Failure> {
+    if let Some(files) = session::files() {
+        files.lock().remove(path);
+        return Ok(());
+    }
     match fs::remove_file(path) {
         Err(error) if error.kind() != io::ErrorKind::NotFound => {
             Err(Failure::io("remove", &path.display().to_string(), &error))

@@ -80,7 +80,7 @@ pub(crate) fn read_robot(text: &str) -> Result<Robot, Failure> {
     if !looks_like_path && let Some(robot) = Robot::builtin(text) {
         return Ok(robot);
     }
-    if looks_like_path || path.is_file() {
+    if looks_like_path || files::is_there(path) {
         let bytes = files::read(path, Size::Text).map_err(|failure| failure.with_help(help_for_missing_robot(text)))?;
         return Robot::from_toml_bytes(&bytes, text).map_err(|error| FileKind::Robot.refusal(&bytes, error));
     }

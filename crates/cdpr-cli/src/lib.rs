@@ -1,7 +1,7 @@
 //! The `cdpr` command as a library: [`run`] takes the words of a command line and writes to streams of the caller.
 //!
 //! Several runs may go on side by side in one process, each with streams of its own. Files are read and written as their paths say,
-//! from the working folder of the process.
+//! from the working folder of the process; [`run_in`] keeps them in memory, tells how the work goes on, and can be stopped.
 
 mod answer;
 mod commands;
@@ -31,11 +31,13 @@ mod session;
 mod statics_failure;
 mod stream;
 mod study_file;
+mod surroundings;
 mod tension_choice;
 mod tension_method;
 mod usage;
 
 use std::ffi::OsString;
+use std::panic::{AssertUnwindSafe, catch_unwind, resume_unwind};
 use std::process::ExitCode;
 
 use answer::Output;
@@ -44,9 +46,12 @@ use commands::Command;
 use console::Console;
 use options::GlobalOptions;
 use session::Session;
+use surroundings::{SharedFiles, Stopped, Surroundings};
 
+pub use commands::{PlanRefused, PreparedPlan};
 pub use interruption::watch as watch_for_interruptions;
 pub use stream::Stream;
+pub use surroundings::{Files, Host, Observer, WorkDone};
 
 /// Calibration and model selection for cable-driven parallel robots.
 ///
@@ -62,6 +67,9 @@ struct CommandLine {
     #[command(flatten)]
     options: GlobalOptions,
 }
+
+/// Exit code of a run that its observer stopped, as a shell gives it to commands that SIGINT ended.
+const INTERRUPTED: u8 = 130;
 
 /// Characters in a line of help at most, as the parser has them.
 const HELP_WIDTH: usize = 100;
@@ -88,6 +96,52 @@ Examples:
 /// assert!(String::from_utf8(out).unwrap().contains("\"cable_lengths_m\""));
 /// ```
 pub fn run(arguments: impl IntoIterator<Item = OsString>, out: &mut dyn Stream, err: &mut dyn Stream) -> ExitCode {
+    run_within(arguments, Surroundings::default(), out, err)
+}
+
+/// Runs a command line as [`run`] does, within another program, which brings files in memory and takes progress.
+///
+/// What the run writes is in `host.files` afterwards, and not on the disk. If the host's observer breaks, the run ends at the next step of
+/// its work with the exit code 130, and what it wrote until then is unspecified.
+///
+/// ```
+/// # use std::process::ExitCode;
+/// use cdpr_cli::{Files, Host};
+///
+/// let mut host = Host::with_files(Files::from([("robot.toml".into(), b"layout_version = 99\n".to_vec())]));
+/// let (mut out, mut err) = (Vec::new(), Vec::new());
+/// let words = ["cdpr", "check", "robot.toml"].map(Into::into);
+/// let exit = cdpr_cli::run_in(words, &mut host, &mut out, &mut err);
+/// assert_eq!(exit, ExitCode::from(2));
+/// assert!(String::from_utf8(err).unwrap().contains("robot.toml:1:"));
+/// ```
+pub fn run_in(
+    arguments: impl IntoIterator<Item = OsString>,
+    host: &mut Host,
+    out: &mut dyn Stream,
+    err: &mut dyn Stream,
+) -> ExitCode {
+    let files = SharedFiles::new(std::mem::take(&mut host.files));
+    let Host { observe, controller, .. } = host.clone();
+    let surroundings = Surroundings { files: Some(files.clone()), observe, controller };
+    // the caller's streams hold what was written; files are put in whole
+    let exit = catch_unwind(AssertUnwindSafe(|| run_within(arguments, surroundings, out, err)));
+    host.files = std::mem::take(&mut *files.lock());
+    exit.unwrap_or_else(|thrown| match thrown.is::<Stopped>() {
+        true => ExitCode::from(INTERRUPTED),
+        false => resume_unwind(thrown),
+    })
+}
+
+/// [`run`], within another program.
+fn run_within(
+    arguments: impl IntoIterator<Item = OsString>,
+    surroundings: Surroundings,
+    out: &mut dyn Stream,
+    err: &mut dyn Stream,
+) -> ExitCode {
+    // files of options are read as words are parsed
+    session::enter(Session { surroundings: surroundings.clone(), ..Session::default() });
     let arguments: Vec<OsString> = arguments.into_iter().collect();
     if let Some(words) = completion::asked(&arguments) {
         // a shell that does not listen any more needs no answer
@@ -102,7 +156,7 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, out: &mut dyn Stream, 
         Err(error) => return usage::exit(&error, &words, out, err),
     };
     let mut output = Output::new(options.format, options.console(), out, err);
-    let session = Session { words, signs: output.signs() };
+    let session = Session { surroundings, words, signs: output.signs() };
     let exit = options.pool(&output).and_then(|pool| {
         let work = || {
             session::enter(session);

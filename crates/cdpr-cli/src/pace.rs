@@ -31,6 +31,11 @@ impl Pace {
         self.done.push(now);
     }
 
+    /// Parts that are done.
+    pub(crate) fn count(&self) -> usize {
+        self.done.len()
+    }
+
     /// True where all parts are done.
     pub(crate) fn is_done(&self) -> bool {
         self.parts.is_some_and(|parts| parts > 0 && self.done.len() >= parts)

@@ -12,6 +12,7 @@ use indicatif::{ProgressBar, ProgressDrawTarget, ProgressState, ProgressStyle};
 use crate::console::Signs;
 use crate::pace::{Pace, time};
 use crate::session;
+use crate::surroundings::{self, Observer, WorkDone};
 
 /// How long work may take before a line moves.
 const PATIENCE: Duration = Duration::from_secs(1);
@@ -27,6 +28,7 @@ pub(crate) struct Progress {
     begun: Instant,
     done: Option<Sender<()>>,
     waiting: Option<JoinHandle<()>>,
+    observe: Option<Observer>,
 }
 
 /// Work on its way.
@@ -63,18 +65,38 @@ impl Progress {
     pub(crate) fn at(&self, message: &str) {
         self.bar.set_message(message.to_owned());
         message.clone_into(&mut locked(&self.work).name);
+        self.go_on();
     }
 
-    /// One part is done.
+    /// One part is done; leaves the calculation if the observer of the run wants no more of it.
     pub(crate) fn step(&self) {
+        if self.step_of_work().is_break() {
+            surroundings::stop();
+        }
+    }
+
+    /// One part is done; a break if the observer of the run wants no more of the work. From a shell an interruption ends the process.
+    pub(crate) fn step_of_work(&self) -> ControlFlow<()> {
         self.bar.inc(1);
         locked(&self.work).pace.step(self.begun.elapsed());
+        self.observed()
     }
 
-    /// One part is done, and the work goes on: an interruption ends the process.
-    pub(crate) fn step_of_work(&self) -> ControlFlow<()> {
-        self.step();
-        ControlFlow::Continue(())
+    /// Tells the observer of the run how far the work is.
+    fn observed(&self) -> ControlFlow<()> {
+        let Some(observe) = &self.observe else { return ControlFlow::Continue(()) };
+        let (name, done, parts) = {
+            let work = locked(&self.work);
+            (work.name.clone(), work.pace.count(), work.pace.parts)
+        };
+        observe(WorkDone { name: &name, done, parts })
+    }
+
+    /// Leaves the calculation if the observer of the run wants no more of it.
+    fn go_on(&self) {
+        if self.observed().is_break() {
+            surroundings::stop();
+        }
     }
 
     fn start(parts: Option<usize>, template: &str, message: &str) -> Self {
@@ -91,9 +113,11 @@ impl Progress {
             bar.set_style(style.progress_chars("=> ").with_key("pace", words));
         }
         bar.set_message(message.to_owned());
-        let signs = session::signs();
+        let (signs, observe) = (session::signs(), session::observer());
         if signs == Signs::Nothing {
-            return Self { bar, work, begun, done: None, waiting: None };
+            let quiet = Self { bar, work, begun, done: None, waiting: None, observe };
+            quiet.go_on();
+            return quiet;
         }
         let (done, is_done) = mpsc::channel::<()>();
         let (shown, told) = (bar.clone(), Arc::clone(&work));
@@ -116,7 +140,7 @@ impl Progress {
                 wait = begun.elapsed() / 2;
             }
         });
-        Self { bar, work, begun, done: Some(done), waiting: Some(waiting) }
+        Self { bar, work, begun, done: Some(done), waiting: Some(waiting), observe }
     }
 }
 

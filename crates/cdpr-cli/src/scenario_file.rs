@@ -11,6 +11,7 @@ use crate::answer::Output;
 use crate::failure::Failure;
 use crate::file_kind::FileKind;
 use crate::files;
+use crate::session;
 use crate::study_file::robot_of_study;
 
 /// Reads a scenario and its robot, whose path is relative to the scenario's folder, and sets the machine on its start.
@@ -21,7 +22,11 @@ pub(crate) fn read(path: &Path, output: &Output) -> Result<Simulation, Failure> 
     let scenario = scenario.map_err(|error| FileKind::Scenario.refusal(&bytes, error))?;
     let robot = robot_of_study(&scenario.machine.robot, path.parent().unwrap_or(Path::new("")))?;
     output.about(&robot.name);
-    Simulation::new(&scenario, robot).map_err(|error| refused(&error, &scenario, (&bytes, &name)))
+    let simulation = match session::controller() {
+        Some(controller) => Simulation::with_controller(&scenario, robot, controller),
+        None => Simulation::new(&scenario, robot),
+    };
+    simulation.map_err(|error| refused(&error, &scenario, (&bytes, &name)))
 }
 
 /// The failure at its place in the scenario, or of the robot that lacks something.

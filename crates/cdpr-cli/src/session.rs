@@ -4,12 +4,17 @@
 
 use std::cell::RefCell;
 
+use cdpr_plant::Controller;
+
 use crate::console::Signs;
 use crate::options;
+use crate::surroundings::{Observer, SharedFiles, Surroundings};
 
 /// Words and wishes of a run.
-#[derive(Debug, Default)]
+#[derive(Default)]
 pub(crate) struct Session {
+    /// Program that the run goes on in.
+    pub(crate) surroundings: Surroundings,
     /// Words of the command line after the name of the program.
     pub(crate) words: Vec<String>,
     /// Signs of life that are wanted.
@@ -28,6 +33,21 @@ pub(crate) fn enter(session: Session) {
 /// Signs of life that are wanted.
 pub(crate) fn signs() -> Signs {
     SESSION.with_borrow(|session| session.signs)
+}
+
+/// Files in memory that this run reads and writes; `None` if its files are those of the disk.
+pub(crate) fn files() -> Option<SharedFiles> {
+    SESSION.with_borrow(|session| session.surroundings.files.clone())
+}
+
+/// Taker of the run's progress, if there is one.
+pub(crate) fn observer() -> Option<Observer> {
+    SESSION.with_borrow(|session| session.surroundings.observe.clone())
+}
+
+/// Controller that the run's program brings, if it does.
+pub(crate) fn controller() -> Option<Box<dyn Controller>> {
+    SESSION.with_borrow(|session| session.surroundings.controller.clone())
 }
 
 /// The command as it was given, quoted for a shell, without the options that do not touch the result.

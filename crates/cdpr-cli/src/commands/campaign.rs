@@ -166,7 +166,7 @@ impl RoundFolder<'_> {
         output: &Output,
     ) -> Result<Option<Samples>, Refusal> {
         let path = self.folder.join(RECORD);
-        if path.exists() {
+        if files::is_there(&path) {
             return Ok(Some(read_measured(&path, &order.experiment.control, output)?));
         }
         if !is_virtual {

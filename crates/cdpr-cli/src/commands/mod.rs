@@ -46,6 +46,8 @@ mod tension;
 mod test_bench;
 mod workspace;
 
+pub use sweep::{PlanRefused, PreparedPlan};
+
 /// One line per subcommand, under the heading of `cdpr --help` that it stands under: its file and its name; the arguments and the help
 /// are in the file.
 macro_rules! commands {

@@ -1,6 +1,5 @@
 //! `cdpr run`: a machine in time.
 
-use std::ops::ControlFlow;
 use std::path::PathBuf;
 use std::process::ExitCode;
 
@@ -78,7 +77,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let summary = simulation.run(|plant, state| {
         log.add(|text| format.write_row(plant, state, text))?;
         recording.note(state);
-        Ok::<_, Failure>(ControlFlow::Continue(()))
+        Ok::<_, Failure>(progress.step_of_work())
     })?;
     log.write()?;
     recording.happened(&summary.events);

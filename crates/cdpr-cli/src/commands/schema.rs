@@ -1,10 +1,13 @@
 //! `cdpr schema`: JSON Schemas of the file formats.
 
+mod command_line;
+
 use std::process::ExitCode;
 
-use clap::{Args, ValueEnum};
+use clap::{Args, CommandFactory, ValueEnum};
 use serde::Serialize;
 
+use crate::CommandLine;
 use crate::answer::{Answer, Output};
 use crate::failure::Failure;
 
@@ -34,6 +37,8 @@ enum FileFormat {
     Sweep,
     /// Data block of a page (JSON).
     Page,
+    /// All commands with their arguments, from which other languages make functions (JSON, no schema).
+    CommandLine,
     #[value(help = "What is known about a measurement file (TOML beside the CSV, whose columns the description tells)")]
     Measurement,
 }
@@ -57,15 +62,15 @@ impl Answer for Schema {
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
-    let schema = match arguments.of {
-        FileFormat::Robot => cdpr_model::robot::schema(),
-        FileFormat::Study => cdpr_study::study::schema(),
-        FileFormat::Scenario => cdpr_plant::scenario::schema(),
-        FileFormat::Sweep => cdpr_study::sweep::schema(),
-        FileFormat::Page => cdpr_reports::page_schema(),
-        FileFormat::Measurement => cdpr_model::measurement::schema(),
+    let value = match arguments.of {
+        FileFormat::Robot => cdpr_model::robot::schema().to_value(),
+        FileFormat::Study => cdpr_study::study::schema().to_value(),
+        FileFormat::Scenario => cdpr_plant::scenario::schema().to_value(),
+        FileFormat::Sweep => cdpr_study::sweep::schema().to_value(),
+        FileFormat::Page => cdpr_reports::page_schema().to_value(),
+        FileFormat::CommandLine => command_line::described(&CommandLine::command()),
+        FileFormat::Measurement => cdpr_model::measurement::schema().to_value(),
     };
-    let schema = schema.to_value();
-    let words = serde_json::to_string_pretty(&schema).map_err(|error| Failure::unwritable("the schema", &error))?;
-    output.answer(&Schema { schema, words })
+    let words = serde_json::to_string_pretty(&value).map_err(|error| Failure::unwritable("the schema", &error))?;
+    output.answer(&Schema { schema: value, words })
 }

@@ -2,7 +2,9 @@
 
 mod folder;
 mod merged;
+mod prepared;
 
+use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
@@ -11,6 +13,7 @@ use cdpr_study::sweep::{PreparedSweep, Subjects, Sweep, check};
 use clap::{Args, Subcommand};
 use folder::{Plan, RowFile};
 use merged::merge;
+pub use prepared::{PlanRefused, PreparedPlan};
 
 use crate::answer::Output;
 use crate::failure::Failure;
@@ -30,6 +33,7 @@ Examples:
   cdpr sweep plan studies/sweep-planar-stiffness.toml --out stiffness
   cdpr sweep run stiffness
   cdpr sweep run stiffness --shard 1/2
+  cdpr sweep run stiffness --points 3,7,11
   cdpr sweep merge stiffness";
 
 /// How the reachable workspace changes with parameters of control model, machine and study; or what accuracy costs.
@@ -74,6 +78,9 @@ enum StepOfSweep {
         /// Compute only shard i of n: points i, i + n, i + 2n, … of the plan.
         #[arg(long, value_name = "i/n", default_value = "1/1", value_parser = shard)]
         shard: Shard,
+        /// Compute only these points of the plan, counted from 0.
+        #[arg(long, value_name = "LIST", value_delimiter = ',', conflicts_with = "shard")]
+        points: Option<Vec<usize>>,
     },
     /// Join the rows of all shards.
     Merge {
@@ -90,6 +97,41 @@ struct Shard {
     count: usize,
 }
 
+/// Points that a run computes.
+#[derive(Clone, Debug)]
+enum Part {
+    Shard(Shard),
+    Points(Vec<usize>),
+}
+
+impl Part {
+    /// The points among so many, each once and in the order of the plan.
+    fn points(&self, count: usize) -> Result<Vec<usize>, Failure> {
+        match self {
+            Self::Shard(Shard { number, count: shards }) => Ok((number - 1..count).step_by(*shards).collect()),
+            Self::Points(points) => match points.iter().find(|point| **point >= count) {
+                Some(point) => {
+                    let message = format!("--points: there is no point {point}");
+                    let help = format!("the plan has the points 0 to {}", count.saturating_sub(1));
+                    Err(Failure::input("sweep::no-point", message, help))
+                }
+                None => Ok(points.iter().copied().collect::<BTreeSet<_>>().into_iter().collect()),
+            },
+        }
+    }
+
+    /// The option that asks for this part; empty for all points.
+    fn option(&self) -> String {
+        match self {
+            Self::Shard(Shard { count: 1, .. }) => String::new(),
+            Self::Shard(Shard { number, count }) => format!(" --shard {number}/{count}"),
+            Self::Points(points) => {
+                format!(" --points {}", points.iter().map(usize::to_string).collect::<Vec<_>>().join(","))
+            }
+        }
+    }
+}
+
 fn shard(text: &str) -> Result<Shard, Unreadable> {
     let parts = text.split_once('/').and_then(|(number, count)| Some((number.parse().ok()?, count.parse().ok()?)));
     match parts {
@@ -103,17 +145,18 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         StepOfSweep::All { sweep, out } => {
             plan(&sweep, &out, output)?;
             let plan = Plan::read(&out)?;
-            compute(&out, &plan, Shard { number: 1, count: 1 })?;
+            compute(&out, &plan, &Part::Shard(Shard { number: 1, count: 1 }))?;
             merge(&out, &plan, output)
         }
         StepOfSweep::Plan { sweep, out } => {
             let planned = plan(&sweep, &out, output)?;
             output.answer(&planned)
         }
-        StepOfSweep::Run { folder, shard } => {
+        StepOfSweep::Run { folder, shard, points } => {
+            let part = points.map_or(Part::Shard(shard), Part::Points);
             let plan = Plan::read(&folder)?;
             plan.introduce(output)?;
-            output.answer(&compute(&folder, &plan, shard)?)
+            output.answer(&compute(&folder, &plan, &part)?)
         }
         StepOfSweep::Merge { folder } => {
             let plan = Plan::read(&folder)?;
@@ -142,18 +185,15 @@ fn plan(path: &Path, out: &Path, output: &mut Output) -> Result<SweepProgress, F
     let plan = Plan::new(sweep, subjects);
     plan.introduce(output)?;
     plan.write(out)?;
-    Ok(SweepProgress::planned(out.display().to_string(), plan.points.len()))
+    Ok(SweepProgress::planned(out.display().to_string(), plan.row_names()))
 }
 
-fn compute(folder: &Path, plan: &Plan, shard: Shard) -> Result<SweepProgress, Failure> {
-    let mine: Vec<usize> = (shard.number - 1..plan.points.len()).step_by(shard.count).collect();
+fn compute(folder: &Path, plan: &Plan, part: &Part) -> Result<SweepProgress, Failure> {
+    let mine = part.points(plan.points.len())?;
     let prepared = PreparedSweep::new(&plan.sweep, &plan.subjects);
     let prepared = prepared.map_err(|error| Failure::refused(&folder.display().to_string(), &error))?;
     let name = quoted(&folder.display().to_string());
-    let next = match shard.count {
-        1 => format!("`cdpr sweep run {name}`"),
-        count => format!("`cdpr sweep run {name} --shard {}/{count}`", shard.number),
-    };
+    let next = format!("`cdpr sweep run {name}{}`", part.option());
     let (mut missing, mut computed) = (Vec::new(), 0);
     for &point in &mine {
         if RowFile::read(folder, plan, point)?.is_none() {
@@ -170,11 +210,7 @@ fn compute(folder: &Path, plan: &Plan, shard: Shard) -> Result<SweepProgress, Fa
             mine.len(),
             folder.display()
         ));
-        let row = match plan.sweep.calibration {
-            Some(_) => prepared.calibration_row(point, &plan.points[point]),
-            None => prepared.row(point, &plan.points[point]),
-        };
-        RowFile::write(folder, plan, row)?;
+        RowFile::write(folder, plan, plan.row(&prepared, point))?;
         computed += 1;
         progress.step();
     }

@@ -28,10 +28,8 @@ pub(crate) fn write_folder(folder: &Path, comparison: &Comparison, more: Vec<Nam
 /// Removes the calibrated robots that another result left here: they are named as ours are, and none of ours.
 fn remove_former(folder: &Path, ours: &[PathBuf]) -> Result<(), Failure> {
     let calibrated = folder.join("calibrated");
-    let unreadable = |error: std::io::Error| Failure::io("read", &calibrated.display().to_string(), &error);
     let mut former = vec![folder.join("calibrated.toml")];
-    for entry in std::fs::read_dir(&calibrated).map_err(unreadable)? {
-        let path = entry.map_err(unreadable)?.path();
+    for path in files::listed(&calibrated)? {
         let name = path.file_name().map(|name| name.to_string_lossy().into_owned()).unwrap_or_default();
         let is_numbered = name
             .split_once('-')
@@ -40,13 +38,5 @@ fn remove_former(folder: &Path, ours: &[PathBuf]) -> Result<(), Failure> {
             former.push(path);
         }
     }
-    for path in former.iter().filter(|path| !ours.contains(*path)) {
-        match std::fs::remove_file(path) {
-            Err(error) if error.kind() != std::io::ErrorKind::NotFound => {
-                return Err(Failure::io("remove", &path.display().to_string(), &error));
-            }
-            _ => {}
-        }
-    }
-    Ok(())
+    former.iter().filter(|path| !ours.contains(*path)).try_for_each(|path| files::remove(path))
 }

@@ -1,15 +1,18 @@
 //! Options that say what a fit makes small.
 
 use std::fmt;
+use std::path::Path;
 
 use cdpr_calibration::fit::TaskBox;
 use cdpr_calibration::{Minimize, Objective, fit};
-use cdpr_model::reading::{Keyword, ReadError};
-use cdpr_study::Study;
+use cdpr_model::reading::{Keyword, Size};
 use clap::Args;
 
+use crate::failure::Failure;
+use crate::files;
 use crate::keyword::keyword;
 use crate::numbers::positive_length;
+use crate::study_file::study_of;
 
 /// Residuals and cost of a fit.
 #[derive(Clone, Debug, Args)]
@@ -44,16 +47,15 @@ struct TaskFile {
 /// A study without a task that can be read.
 #[derive(Debug)]
 enum TaskError {
-    File(std::io::Error),
-    Study(ReadError),
+    Study(Failure),
     NoTask,
 }
 
 impl fmt::Display for TaskError {
     fn fmt(&self, f: &mut fmt::Formatter<'_>) -> fmt::Result {
         match self {
-            Self::File(error) => write!(f, "cannot read the study: {error}"),
-            Self::Study(error) => error.fmt(f),
+            Self::Study(Failure::File(error)) => error.fmt(f),
+            Self::Study(failure) => f.write_str(failure.message()),
             Self::NoTask => f.write_str(
                 "this study has no table `[task]`; write min = [x, y, z] and max = [x, y, z] in metres below it",
             ),
@@ -64,9 +66,8 @@ impl fmt::Display for TaskError {
 impl std::error::Error for TaskError {}
 
 fn task_of(path: &str) -> Result<TaskFile, TaskError> {
-    let bytes = std::fs::read(path).map_err(TaskError::File)?;
-    let study = Study::from_toml_bytes(&bytes, path).map_err(TaskError::Study)?;
-    let task = study.task.ok_or(TaskError::NoTask)?;
+    let study = files::read(Path::new(path), Size::Text).and_then(|bytes| study_of(&bytes, path));
+    let task = study.map_err(TaskError::Study)?.task.ok_or(TaskError::NoTask)?;
     Ok(TaskFile { name: path.to_owned(), task: TaskBox { min: task.min, max: task.max } })
 }
 

@@ -24,6 +24,7 @@ mod force_tracking;
 mod frames;
 mod hanging_robots;
 mod import;
+mod in_memory;
 mod initial_tension;
 #[cfg(unix)]
 mod interruption;

@@ -110,6 +110,55 @@ impl Model {
         Ok(())
     }
 
+    /// Controlled lengths (m) with which the cables hold the poses of an array under tensions (N), m for each pose:
+    /// [`Model::inverse`] for each, from the memories of the state; NaN where a cable has no path or no length under its tension.
+    /// After an error `lengths` is unspecified.
+    ///
+    /// ```
+    /// use cdpr::{Model, Robot, State};
+    ///
+    /// let robot = Robot::builtin("cablerobot-simulator-helicopter-elastostatic-calibrated").ok_or("unknown robot")?;
+    /// let home = robot.home.ok_or("no home pose")?;
+    /// let model = Model::new(robot, "elastic".parse()?)?;
+    /// let (rows, tensions, mut lengths) = ([home.numbers(); 9], [3000.0; 72], [0.0; 72]);
+    /// let mut state = State::at_home(&model);
+    /// model.inverse_of_rows(rows[..].into(), &tensions, &state, &mut lengths)?;
+    /// let single = model.inverse(&home, &tensions[..8], &mut state)?.controlled_lengths()?;
+    /// assert_eq!(lengths[64..], single);
+    /// # Ok::<(), Box<dyn std::error::Error>>(())
+    /// ```
+    pub fn inverse_of_rows(
+        &self,
+        poses: PoseRows<'_>,
+        tensions: &[f64],
+        state: &State,
+        lengths: &mut [f64],
+    ) -> Result<(), RowsError> {
+        let (cables, count) = (self.cable_count(), poses.len());
+        check("tensions, one per pose and cable", count * cables, tensions.len())?;
+        check("lengths, one per pose and cable", count * cables, lengths.len())?;
+        poses.check()?;
+        let memory = &mut (PoseBatch::default(), state.clone());
+        over_parts(lengths, LANES * cables, memory, |(batch, state), first, lengths| {
+            for (start, lengths) in (first..).step_by(CHUNK).zip(lengths.chunks_mut(CHUNK * cables)) {
+                if batch.fill_rows(poses.part(start, CHUNK)).is_err() {
+                    return;
+                }
+                for (item, lengths) in lengths.chunks_mut(cables).enumerate() {
+                    let own = &tensions[(start + item) * cables..][..cables];
+                    match self.inverse(&batch.get(item), own, state) {
+                        Ok(found) => lengths
+                            .iter_mut()
+                            .zip(&found.cables)
+                            .for_each(|(length, own)| *length = own.controlled_length),
+                        Err(_) => lengths.fill(f64::NAN),
+                    }
+                }
+            }
+        });
+        Ok(())
+    }
+
     /// Poses, and tensions where cables and load are in equilibrium, that belong to the controlled lengths of an array:
     /// [`Model::forward_with`] for each. After an error the answers are unspecified.
     ///

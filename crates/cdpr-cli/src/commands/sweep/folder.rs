@@ -5,7 +5,7 @@ use std::path::{Path, PathBuf};
 use cdpr_model::reading::Size;
 use cdpr_model::robot::Robot;
 use cdpr_study::Study;
-use cdpr_study::sweep::{Row, Subjects, Sweep};
+use cdpr_study::sweep::{PreparedSweep, Row, Subjects, Sweep};
 use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
@@ -73,20 +73,43 @@ impl Plan {
 
     pub(super) fn read(folder: &Path) -> Result<Self, Failure> {
         let path = folder.join("plan.json");
-        let refused = |what: String, help: &str| {
-            Failure::input("sweep::plan", format!("{}: {what}", path.display()), help.to_owned())
-        };
-        let bytes = files::read_if_there(&path, Size::Table)?;
-        let bytes = bytes
-            .ok_or_else(|| refused("there is no plan".to_owned(), "write one: cdpr sweep plan SWEEP.toml --out DIR"))?;
-        let plan: Self = serde_json::from_slice(&bytes).map_err(|error| {
-            refused(format!("this is no plan: {error}"), "plan the sweep again into another folder")
+        let bytes = files::read_if_there(&path, Size::Table)?.ok_or_else(|| {
+            let help = "write one: cdpr sweep plan SWEEP.toml --out DIR";
+            Failure::input("sweep::plan", format!("{}: there is no plan", path.display()), help)
         })?;
+        Self::of_bytes(&bytes, &path.display().to_string())
+    }
+
+    /// The plan of the bytes of a `plan.json`, named for messages.
+    pub(super) fn of_bytes(bytes: &[u8], name: &str) -> Result<Self, Failure> {
+        let help = "plan the sweep again into another folder";
+        let plan: Self = serde_json::from_slice(bytes)
+            .map_err(|error| Failure::input("sweep::plan", format!("{name}: this is no plan: {error}"), help))?;
         if plan.fingerprint != plan.digest() || plan.points != plan.sweep.points() {
-            let message = format!("{}: the plan was changed by hand or by another program", path.display());
-            return Err(Failure::input("sweep::plan-changed", message, "plan the sweep again into another folder"));
+            let message = format!("{name}: the plan was changed by hand or by another program");
+            return Err(Failure::input("sweep::plan-changed", message, help));
         }
         Ok(plan)
+    }
+
+    /// Name of a point's row in the folder `rows`: rows are addressed by what they are, point and plan.
+    pub(super) fn row_name(&self, point: usize) -> String {
+        let address = Sha256::digest(format!("{} {point}", self.fingerprint));
+        let short: String = address.iter().take(8).map(|byte| format!("{byte:02x}")).collect();
+        format!("{point:05}-{short}.json")
+    }
+
+    /// Names of all rows, point by point.
+    pub(super) fn row_names(&self) -> Vec<String> {
+        (0..self.points.len()).map(|point| self.row_name(point)).collect()
+    }
+
+    /// The row of a point.
+    pub(super) fn row(&self, prepared: &PreparedSweep, point: usize) -> Row {
+        match self.sweep.calibration {
+            Some(_) => prepared.calibration_row(point, &self.points[point]),
+            None => prepared.row(point, &self.points[point]),
+        }
     }
 }
 
@@ -103,11 +126,14 @@ pub(super) struct RowFile {
 }
 
 impl RowFile {
-    /// Rows are addressed by what they are: point and plan.
     fn path(folder: &Path, plan: &Plan, point: usize) -> PathBuf {
-        let address = Sha256::digest(format!("{} {point}", plan.fingerprint));
-        let short: String = address.iter().take(8).map(|byte| format!("{byte:02x}")).collect();
-        folder.join("rows").join(format!("{point:05}-{short}.json"))
+        folder.join("rows").join(plan.row_name(point))
+    }
+
+    /// Content of a row's file.
+    pub(super) fn bytes(plan: &Plan, row: Row) -> Result<Vec<u8>, Failure> {
+        let stored = Self { plan: plan.fingerprint.clone(), row };
+        serde_json::to_vec(&stored).map_err(|error| Failure::unwritable("the row", &error))
     }
 
     /// The row of a point; `None` if it was not computed.
@@ -128,9 +154,7 @@ impl RowFile {
     pub(super) fn write(folder: &Path, plan: &Plan, row: Row) -> Result<(), Failure> {
         files::make_folder(&folder.join("rows"))?;
         let path = Self::path(folder, plan, row.point);
-        let stored = Self { plan: plan.fingerprint.clone(), row };
-        let text = serde_json::to_vec(&stored).map_err(|error| Failure::unwritable("the row", &error))?;
-        files::write(&path, &text)
+        files::write(&path, &Self::bytes(plan, row)?)
     }
 
     /// Rows in the folder that belong to no point of the plan.
@@ -142,13 +166,7 @@ impl RowFile {
 
     /// All rows in the folder, of whatever plan.
     fn all(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
-        let rows = folder.join("rows");
-        let listed = match std::fs::read_dir(&rows) {
-            Ok(listed) => listed,
-            Err(error) if error.kind() == std::io::ErrorKind::NotFound => return Ok(Vec::new()),
-            Err(error) => return Err(Failure::io("read", &rows.display().to_string(), &error)),
-        };
         let is_row = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "json");
-        Ok(listed.flatten().map(|entry| entry.path()).filter(is_row).collect())
+        Ok(files::listed(&folder.join("rows"))?.into_iter().filter(is_row).collect())
     }
 }

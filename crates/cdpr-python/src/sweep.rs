@@ -1,0 +1,44 @@
+//! Points of planned sweeps, each computed by itself.
+
+use cdpr_cli::PreparedPlan;
+use pyo3::prelude::*;
+use pyo3::types::PyBytes;
+
+use crate::error::refused;
+
+/// A planned sweep, prepared to compute its points.
+#[pyclass(frozen, module = "cdpr._cdpr")]
+pub(crate) struct PreparedSweep {
+    plan: PreparedPlan,
+}
+
+#[pymethods]
+impl PreparedSweep {
+    /// The plan of the bytes of a `plan.json`.
+    #[new]
+    fn new(py: Python<'_>, plan: &[u8]) -> PyResult<Self> {
+        let plan = py.detach(|| PreparedPlan::new(plan));
+        Ok(Self { plan: plan.map_err(|error| refused(py, error))? })
+    }
+
+    #[getter]
+    fn fingerprint(&self) -> &str {
+        self.plan.fingerprint()
+    }
+
+    #[getter]
+    fn points(&self) -> Vec<Vec<f64>> {
+        self.plan.points().to_vec()
+    }
+
+    /// Name of the file of a point's row, in the folder `rows`; `None` if there is no such point.
+    fn row_name(&self, point: usize) -> Option<String> {
+        self.plan.row_name(point)
+    }
+
+    /// Content of that file; `None` if there is no such point.
+    fn row<'py>(&self, py: Python<'py>, point: usize) -> PyResult<Option<Bound<'py, PyBytes>>> {
+        let row = py.detach(|| self.plan.row(point)).map_err(|error| refused(py, error))?;
+        Ok(row.map(|row| PyBytes::new(py, &row)))
+    }
+}
