@@ -4,6 +4,7 @@ use std::io;
 
 use cdpr_model::reading::ErrorCode;
 use cdpr_model::reading::ReadError;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Why there is no answer.
@@ -59,7 +60,8 @@ const REMEDIES: &[(&str, &str)] = &[
 ];
 
 /// A failure as scripts see it.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
+#[schemars(rename = "Failure")]
 pub(crate) struct FailureObject<'a> {
     status: &'static str,
     reason: &'a str,

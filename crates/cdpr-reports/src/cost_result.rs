@@ -1,6 +1,7 @@
 //! Costs of accuracy: the joined rows of a sweep over calibrations.
 
 use cdpr_study::sweep::{CalibrationOutcome, CalibrationPoint, CalibrationTable, Row};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answers::Answer;
@@ -9,7 +10,8 @@ use crate::number_format::{NONE, short, significant};
 use crate::table::Table;
 
 /// Calibrations with what they cost and come to.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "CalibrationCosts")]
 pub struct CostResult {
     /// Outcome in a word.
     pub status: &'static str,
@@ -28,7 +30,8 @@ pub struct CostResult {
 }
 
 /// A calibration.
-#[derive(Clone, Serialize)]
+#[derive(Clone, Serialize, JsonSchema)]
+#[schemars(rename = "CostedCalibration")]
 pub struct CostRow {
     point: usize,
     /// Values of the parameters.
@@ -45,7 +48,8 @@ pub struct CostRow {
 }
 
 /// Cheapest calibration for an accuracy.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "CheapestCalibration")]
 pub struct Cheapest {
     accuracy_m: f64,
     /// Values of the parameters.

@@ -1,11 +1,12 @@
 //! A sweep on its way: what is planned or computed of it.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answers::Answer;
 
 /// Points of a sweep that are planned, or of a shard that are computed.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct SweepProgress {
     status: &'static str,
     folder: String,

@@ -6,6 +6,7 @@ use std::process::ExitCode;
 
 use clap::{Args, Command, CommandFactory};
 use clap_mangen::Man;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::CommandLine;
@@ -29,8 +30,10 @@ pub(crate) struct Arguments {
     out: Option<PathBuf>,
 }
 
-#[derive(Serialize)]
-struct Written {
+/// Manual pages.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "ManualPages")]
+pub(super) struct Written {
     pages: Vec<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     out: Option<String>,

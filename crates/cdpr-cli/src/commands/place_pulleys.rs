@@ -7,6 +7,7 @@ use cdpr_model::model::place_pulleys;
 use cdpr_model::robot::Robot;
 use clap::Args;
 use nalgebra::Vector3;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answer::{Answer, Output};
@@ -52,8 +53,10 @@ pub(crate) struct Arguments {
     out: PathBuf,
 }
 
-#[derive(Serialize)]
-struct Placed {
+/// Pulleys placed so that cables leave them through the anchors of the point model.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "PlacedPulleys")]
+pub(super) struct Placed {
     robot: String,
     pose: PoseAnswer,
     out: String,
@@ -62,8 +65,10 @@ struct Placed {
     axes: Vec<String>,
 }
 
-#[derive(Serialize)]
-struct PlacedCable {
+/// Pulley of a cable.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "PlacedPulley")]
+pub(super) struct PlacedCable {
     name: String,
     pulley_radius_m: Option<f64>,
     frame_anchor_m: Vec<f64>,

@@ -1,5 +1,7 @@
 //! `cdpr schema`: JSON Schemas of the file formats.
 
+mod answers;
+
 use std::process::ExitCode;
 
 use clap::{Args, ValueEnum};
@@ -32,6 +34,8 @@ enum FileFormat {
     Scenario,
     /// Sweep (TOML): a study and the parameters that change.
     Sweep,
+    /// Answers of all commands (JSON), as `--format json` writes them.
+    Answers,
     /// Data block of a page (JSON).
     Page,
     #[value(help = "What is known about a measurement file (TOML beside the CSV, whose columns the description tells)")]
@@ -62,6 +66,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         FileFormat::Study => cdpr_study::study::schema(),
         FileFormat::Scenario => cdpr_plant::scenario::schema(),
         FileFormat::Sweep => cdpr_study::sweep::schema(),
+        FileFormat::Answers => answers::schema(),
         FileFormat::Page => cdpr_reports::page_schema(),
         FileFormat::Measurement => cdpr_model::measurement::schema(),
     };

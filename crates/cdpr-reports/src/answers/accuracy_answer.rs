@@ -8,6 +8,7 @@ use cdpr_study::Experiment;
 use cdpr_study::accuracy::{Accuracy, Assessment};
 use cdpr_study::branches::Branches;
 use cdpr_study::force_tracking::ForceTracking;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::error_table::{
@@ -20,7 +21,8 @@ use crate::number_format::cell;
 use crate::table::Table;
 
 /// Errors of a control model on a machine.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Accuracy")]
 pub struct AccuracyAnswer {
     status: &'static str,
     reason: Option<String>,
@@ -50,7 +52,8 @@ pub struct AccuracyAnswer {
 }
 
 /// How well a model told from the lengths that were sent what emerged.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "LengthPrediction")]
 struct Prediction {
     model: String,
     #[serde(flatten, with = "ErrorBlockKeys")]

@@ -5,6 +5,7 @@ use cdpr_study::Experiment;
 use cdpr_study::accuracy::Accuracy;
 use cdpr_study::campaign::{Campaign, CampaignStatus, Round};
 use minijinja::{Value, context};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::{Answer, title};
@@ -17,7 +18,8 @@ use crate::table::Table;
 const TEMPLATE: &str = include_str!("campaign.html");
 
 /// Rounds of a campaign.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Campaign")]
 pub struct CampaignAnswer {
     #[serde(with = "Word")]
     status: CampaignStatus,
@@ -39,7 +41,8 @@ pub struct CampaignAnswer {
 }
 
 /// The controller before the first round.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "CampaignStart")]
 struct Nominal {
     #[serde(with = "Maybe::<AccuracyKeys>")]
     driven: Option<Accuracy>,

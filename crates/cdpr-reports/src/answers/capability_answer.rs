@@ -3,16 +3,19 @@
 use cdpr_model::geometry::Pose;
 use cdpr_model::robot::Robot;
 use cdpr_workspace::capability::{Found, LimitedBy, Quantity, Solution, Status};
+use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::{Value, json};
 
+use super::capability_schema::{AccelerationDetails, AccelerationValues, CapabilityDetail, PoseNotHeld};
 use super::capability_words::{AskedCapability, COLUMNS, limit_words, name_of, point_words, row_of};
 use super::{Answer, PoseAnswer, axis_names, components, title};
 use crate::number_format::{short, significant};
 use crate::table::Table;
 
 /// The answer; keys and units as in JSON.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Capability")]
 pub struct CapabilityAnswer {
     robot: String,
     status: &'static str,
@@ -29,17 +32,22 @@ pub struct CapabilityAnswer {
     #[serde(rename = "payload_kg")]
     payload: Option<f64>,
     #[serde(rename = "acceleration_m_s2")]
+    #[schemars(with = "AccelerationValues")]
     acceleration: Accelerations<Option<f64>>,
     #[serde(rename = "speed_m_s")]
     speed: Option<f64>,
     #[serde(rename = "payload")]
+    #[schemars(with = "CapabilityDetail")]
     payload_detail: Value,
     #[serde(rename = "acceleration")]
+    #[schemars(with = "AccelerationDetails")]
     acceleration_detail: Accelerations<Value>,
     #[serde(rename = "speed")]
+    #[schemars(with = "CapabilityDetail")]
     speed_detail: Value,
     /// Pose at which the own load is not held.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<PoseNotHeld>")]
     not_held: Option<Value>,
     warnings: Vec<String>,
     #[serde(skip_serializing_if = "Option::is_none")]

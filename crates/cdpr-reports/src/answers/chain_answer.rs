@@ -4,12 +4,14 @@ use cdpr_study::Experiment;
 use cdpr_study::chain::{Chain, ChainStep};
 use cdpr_study::study::PublishedStage;
 use minijinja::{Value, context};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::tracking_answer::TrackingAnswer;
 use super::{Answer, title};
 use crate::figures::{ErrorPanel, ErrorRows, Figure};
 use crate::html_page::{Page, PageError, PageKind, plain, prose};
+use crate::keys::adapters::nullable_numbers;
 use crate::keys::adapters::keys;
 use crate::keys::{ChainStepKeys, Maybe};
 use crate::number_format::{NONE, short, significant};
@@ -18,7 +20,8 @@ use crate::table::Table;
 const TEMPLATE: &str = include_str!("chain.html");
 
 /// All stages of the chain.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Chain")]
 pub struct ChainAnswer {
     status: &'static str,
     control: String,
@@ -41,7 +44,8 @@ pub struct ChainAnswer {
 }
 
 /// A stage beside its published errors.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "ChainStage")]
 struct StepAnswer {
     #[serde(flatten, with = "ChainStepKeys")]
     step: ChainStep,
@@ -52,11 +56,21 @@ struct StepAnswer {
 
 keys! {
     /// Errors that a study quotes of a stage.
-    PublishedKeys of PublishedStage { position_mean_m, rotation_mean_rad, length_mean_abs_m, tension_mean_norm_N }
+    PublishedKeys of PublishedStage {
+        /// Mean position error (m).
+        position_mean_m,
+        /// Mean rotation error (rad).
+        rotation_mean_rad,
+        /// Mean magnitude of the length errors (m).
+        length_mean_abs_m,
+        /// Mean over poses of the 2-norm of the tension errors (N).
+        tension_mean_norm_N,
+    }
 }
 
 /// Errors before a stage divided by those after it.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "ChainRatio", transform = nullable_numbers)]
 struct Ratio {
     before: &'static str,
     after: &'static str,

@@ -9,6 +9,7 @@ use cdpr_model::statics::Load;
 use cdpr_model::tension::Limits;
 use cdpr_model::tension::quadratic::{self, Status};
 use nalgebra::DMatrix;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::missing_effects::{self, MissingEffect, missing_effects};
@@ -16,7 +17,8 @@ use super::{Answer, PoseAnswer, assumed_numbers, inertia_doubt};
 use crate::keys::FoundKeys;
 
 /// Facts, models and oddities of a robot at its home pose.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "RobotCheck")]
 pub struct CheckAnswer {
     robot: String,
     /// `checked`, or `singular` for a home pose that the cables do not hold.
@@ -37,7 +39,8 @@ pub struct CheckAnswer {
 }
 
 /// Models that `--model` can name for this file.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "SupportedModels")]
 struct Models {
     /// As many effects as the file supports at once.
     richest: String,
@@ -46,7 +49,8 @@ struct Models {
     missing: Vec<MissingEffect>,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "HomePose")]
 struct Home {
     pose: PoseAnswer,
     rank: Option<usize>,

@@ -5,6 +5,7 @@ use cdpr_model::model::Model;
 use cdpr_model::robot::{Assumption, Body, Robot};
 use cdpr_model::statics::{Load, StaticsError, balanced_wrench};
 use cdpr_plant::{Inertia, Plant, PlantError, assumptions_under_tensions};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::modes_answer::rows;
@@ -14,7 +15,8 @@ use crate::number_format::{cell, significant};
 use crate::table::Table;
 
 /// Mass matrix, bias, and acceleration or the wrench and tensions that it takes.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Dynamics")]
 pub struct DynamicsAnswer {
     robot: String,
     model: String,

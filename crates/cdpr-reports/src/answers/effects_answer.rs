@@ -4,6 +4,7 @@ use cdpr_model::geometry::Pose;
 use cdpr_model::model::{Model, Supported};
 use cdpr_model::robot::Robot;
 use cdpr_study::effects::{Contribution, Displacement, DisplacementMethod, cost, largest, parameter_count};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::missing_effects::{self, MissingEffect, missing_effects};
@@ -13,7 +14,8 @@ use crate::number_format::cell;
 use crate::table::Table;
 
 /// Effects of a model at a pose.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "ModelEffects")]
 pub struct EffectsAnswer {
     robot: String,
     /// Every effect at once that the file supports.
@@ -30,7 +32,8 @@ pub struct EffectsAnswer {
 }
 
 /// One effect; what cannot be told is null, with its reason among the `reasons`.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "ModelEffect")]
 struct EffectAnswer {
     effect: &'static str,
     /// The effect that the control model has instead; null where it has none.
@@ -49,7 +52,7 @@ struct EffectAnswer {
     reasons: Vec<String>,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct LengthChange {
     max: f64,
     rms: f64,

@@ -8,6 +8,7 @@ use cdpr_model::compensation::Beyond;
 use cdpr_model::geometry::MotionPattern;
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::error_table::{Source, error_table};
@@ -16,7 +17,8 @@ use super::{Answer, axis_names, beyond_words, components};
 use crate::keys::{BeyondKeys, ErrorBlockKeys, WarningKeys};
 
 /// Errors of a model on measurements, in short.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Evaluation")]
 pub struct EvaluationAnswer {
     robot: String,
     model: String,
@@ -39,13 +41,14 @@ pub struct EvaluationAnswer {
     out_errors: Option<String>,
     /// Doubts about the data, then rules of plausibility that the errors break.
     #[serde(flatten, with = "WarningKeys")]
+    #[schemars(with = "WarningKeys")]
     warnings: Warnings,
     #[serde(skip)]
     pattern: MotionPattern,
 }
 
 /// Map that corrects lengths.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct UsedMap {
     file: String,
     /// Samples beyond those of the map, at which the model stands alone, and in the margin around them.

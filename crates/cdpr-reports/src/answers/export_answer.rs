@@ -2,12 +2,14 @@
 
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::Answer;
 
 /// Configuration of a firmware.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Firmware")]
 pub struct FirmwareAnswer {
     status: &'static str,
     robot: String,
@@ -37,7 +39,8 @@ impl Answer for FirmwareAnswer {
 }
 
 /// Table of lengths for a controller.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "LengthTable")]
 pub struct TableAnswer {
     status: &'static str,
     robot: String,
@@ -88,7 +91,8 @@ impl Answer for TableAnswer {
 }
 
 /// Figures of a result.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "ExportedFigures")]
 pub struct ExportAnswer {
     status: &'static str,
     reason: Option<String>,
@@ -100,7 +104,7 @@ pub struct ExportAnswer {
 }
 
 /// A figure that the result has no numbers for.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct SkippedFigure {
     /// Its file.
     pub figure: &'static str,

@@ -5,6 +5,7 @@ use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 use cdpr_model::statics::Stability;
 use cdpr_model::tension::Intervals;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::stiffness_answer::word;
@@ -35,15 +36,17 @@ fn stability(status: Status) -> Option<&'static str> {
 }
 
 /// A pose elsewhere that fits the lengths better.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
+#[schemars(rename = "AlternativePose")]
 struct AlternativeAnswer {
     pose: PoseAnswer,
     residual_rms_m: f64,
 }
 
 /// A pose behind lengths or tensions.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 #[expect(non_snake_case, reason = "the fields are the keys of the contract, units included")]
+#[schemars(rename = "ForwardKinematics")]
 pub struct ForwardAnswer {
     robot: String,
     model: String,

@@ -4,13 +4,16 @@ use cdpr_model::equilibrium::hanging::{Hanging, HangingPoses};
 use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 use cdpr_model::statics::Stability;
+use schemars::JsonSchema;
 use serde::Serialize;
+use crate::keys::adapters::nullable_numbers;
 
 use super::answer::Answer;
 use super::pose_answer::PoseAnswer;
 
 /// Pose in equilibrium with lengths and tensions.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(transform = nullable_numbers)]
 pub(super) struct HangingPose {
     pose: PoseAnswer,
     cable_lengths_m: Vec<f64>,
@@ -24,7 +27,7 @@ pub(super) struct HangingPose {
 }
 
 /// All poses at which the platform hangs at a position, stable ones first.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub(super) struct HangingKeys {
     solutions: Vec<HangingPose>,
     /// Dimensions of the family of poses that the position leaves; 0 where they are single.
@@ -79,7 +82,8 @@ fn word(stability: Stability) -> &'static str {
 }
 
 /// Answer where no orientation lets the platform hang at a position.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(rename = "NoHangingPose")]
 pub struct NoHangingAnswer {
     robot: String,
     model: String,

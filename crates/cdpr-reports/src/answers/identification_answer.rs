@@ -8,6 +8,7 @@ use cdpr_model::geometry::MotionPattern;
 use cdpr_model::model::Model;
 use cdpr_model::robot::Robot;
 use cdpr_study::Identification;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::UncertaintyAnswer;
@@ -22,7 +23,8 @@ use crate::keys::{ErrorBlockKeys, IdentificationKeys, WarningKeys};
 use crate::report::Addition;
 
 /// Parameters of a model with errors before and after.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Identification")]
 pub struct IdentificationAnswer {
     pub(super) robot: String,
     pub(super) model: String,
@@ -63,7 +65,7 @@ pub struct IdentificationAnswer {
 }
 
 /// Names of an identification's data, parameters and file, and what the reader is warned of.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct Told {
     /// Free parameters.
     pub free: String,
@@ -74,6 +76,7 @@ pub struct Told {
     pub validation_data: Option<String>,
     /// Warnings, doubts about the outcome first; of data before the answer adds its own.
     #[serde(flatten, with = "WarningKeys")]
+    #[schemars(with = "WarningKeys")]
     pub warnings: Warnings,
     /// Name of the calibrated robot's file.
     #[serde(skip_serializing_if = "Option::is_none")]

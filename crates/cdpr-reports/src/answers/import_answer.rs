@@ -2,13 +2,15 @@
 
 use cdpr_model::robot::Cable;
 use cdpr_model::robot::caspr::{Finding, Import, Loss};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::Answer;
 use crate::keys::{Each, FindingKeys};
 
 /// Robot of another program's model, with what was taken and what was not.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "ImportedRobot")]
 pub struct ImportAnswer {
     robot: String,
     motion_pattern: &'static str,
@@ -23,7 +25,8 @@ pub struct ImportAnswer {
     warnings: Vec<String>,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "TakenParts")]
 struct Taken {
     link: String,
     joint: String,

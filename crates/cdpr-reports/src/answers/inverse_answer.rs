@@ -8,6 +8,7 @@ use cdpr_model::model::Model;
 use cdpr_model::robot::Cable;
 use cdpr_model::statics::StaticsError;
 use nalgebra::Vector3;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::hanging_answer::HangingKeys;
@@ -17,7 +18,8 @@ use crate::number_format::cell;
 use crate::table::Table;
 
 /// Lengths and directions of all cables. Entries are null where a cable has no unique path, controlled lengths also where no tensions balance the load.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "InverseKinematics")]
 pub struct InverseAnswer {
     robot: String,
     model: String,

@@ -6,6 +6,7 @@ use cdpr_model::cable::outlet::Contact;
 use cdpr_model::geometry::{MotionPattern, Pose, Twist};
 use cdpr_model::model::Model;
 use nalgebra::{Matrix3, Vector3};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::number_format::cell;
@@ -14,7 +15,7 @@ use crate::table::Table;
 type Rows = Vec<Vec<f64>>;
 
 /// Columns are the degrees of freedom: displacements and turns about world axes, of a planar robot in its plane.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub(super) struct Jacobians {
     degrees_of_freedom: Vec<String>,
     /// `None` for platforms whose turns are their angles.
@@ -28,7 +29,7 @@ pub(super) struct Jacobians {
 }
 
 /// J_P, from the rates of the angles rx, ry, rz to the angular velocity.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct AngleJacobian {
     matrix: Rows,
     /// Null at gimbal lock.
@@ -37,7 +38,7 @@ struct AngleJacobian {
     reason: Option<&'static str>,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct CableJacobians {
     free_length_m: f64,
     arc_length_m: f64,

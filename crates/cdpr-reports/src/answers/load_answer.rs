@@ -3,6 +3,7 @@
 use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 use cdpr_model::statics::{StaticsError, TensionSplit, balanced_wrench, section_wrench, split};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::{Answer, PoseAnswer, WrenchAnswer, has_no_path};
@@ -10,7 +11,8 @@ use crate::number_format::cell;
 use crate::table::Table;
 
 /// Load behind tensions.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "PlatformLoad")]
 pub struct LoadAnswer {
     robot: String,
     model: String,
@@ -26,7 +28,7 @@ pub struct LoadAnswer {
 }
 
 /// Null where a cable has no unique path.
-#[derive(Default, Serialize)]
+#[derive(Default, Serialize, JsonSchema)]
 struct Statics {
     #[serde(flatten)]
     wrench: WrenchAnswer,
@@ -39,7 +41,8 @@ struct Statics {
     sections: Vec<Section>,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "LoadSection")]
 struct Section {
     name: String,
     cables: Vec<usize>,

@@ -1,10 +1,11 @@
 //! Effects that a robot's file does not support.
 
 use cdpr_model::model::{ModelError, Supported};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// An effect, and the key that the file lacks for it.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub(super) struct MissingEffect {
     effect: &'static str,
     reason: String,

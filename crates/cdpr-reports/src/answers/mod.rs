@@ -9,6 +9,7 @@ mod benchmark_answer;
 mod campaign_answer;
 mod capability_answer;
 mod capability_page;
+mod capability_schema;
 mod capability_words;
 mod chain_answer;
 mod check_answer;

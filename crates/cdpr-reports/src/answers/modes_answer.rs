@@ -6,7 +6,9 @@ use cdpr_model::robot::Assumption;
 use cdpr_model::statics::Stability;
 use cdpr_plant::{Linearization, Mode, Plant, PlantState};
 use nalgebra::DMatrix;
+use schemars::JsonSchema;
 use serde::Serialize;
+use crate::keys::adapters::nullable_numbers;
 
 use super::stiffness_answer::{counts_as_none, word};
 use super::tension_doubts::tension_doubts;
@@ -17,7 +19,8 @@ use crate::table::Table;
 type Rows = Vec<Vec<f64>>;
 
 /// Modes of a machine about an equilibrium.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Modes")]
 pub struct ModesAnswer {
     robot: String,
     model: String,
@@ -50,7 +53,8 @@ pub struct ModesAnswer {
     warnings: Vec<String>,
 }
 
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Mode", transform = nullable_numbers)]
 struct ModeAnswer {
     #[serde(rename = "frequency_Hz")]
     frequency: f64,

@@ -5,6 +5,7 @@ use cdpr_model::control::Shortening;
 use cdpr_model::geometry::MotionPattern;
 use cdpr_model::model::Model;
 use cdpr_model::reading::Keyword;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::Answer;
@@ -39,7 +40,8 @@ pub struct Planned<'a> {
 }
 
 /// Planned measurements in short.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Plan")]
 pub struct PlanAnswer {
     robot: String,
     model: String,
@@ -77,11 +79,17 @@ pub struct PlanAnswer {
 
 keys! {
     /// One cable shortened.
-    TensionTestKeys of Shortening { cable by FromOne, by = "shorten_m" }
+    TensionTestKeys of Shortening {
+        /// The cable, from 1.
+        cable by FromOne,
+        /// Length by which it is shortened (m).
+        by = "shorten_m",
+    }
 }
 
 /// Candidate that cannot be measured.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "LeftOutPose")]
 struct LeftOut {
     pose: usize,
     reason: String,

@@ -6,6 +6,7 @@ use cdpr_calibration::selection::Warnings;
 use cdpr_calibration::{Comparison, GaugeFixing, SelfCalibration, SensorFit, Verdict};
 use cdpr_model::model::Model;
 use cdpr_model::robot::Robot;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::CourseAnswer;
@@ -17,7 +18,8 @@ use crate::number_format::significant;
 use crate::report::Addition;
 
 /// Parameters found from lengths at unknown poses.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "SelfCalibration")]
 pub struct SelfCalibrationAnswer {
     pub(super) robot: String,
     pub(super) model: String,
@@ -43,6 +45,7 @@ pub struct SelfCalibrationAnswer {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) course: Option<CourseAnswer>,
     #[serde(flatten, with = "WarningKeys")]
+    #[schemars(with = "WarningKeys")]
     pub(super) warnings: Warnings,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) out: Option<String>,

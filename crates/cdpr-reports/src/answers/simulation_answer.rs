@@ -3,12 +3,14 @@
 use cdpr_model::compensation::Beyond;
 use cdpr_model::control::CommandedPose;
 use cdpr_study::Experiment;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::{Answer, beyond_map, control_title};
 
 /// Virtual measurements in short.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Simulation")]
 pub struct SimulationAnswer {
     samples: usize,
     left_out: usize,

@@ -4,6 +4,7 @@ use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 use cdpr_model::statics::{Stability, Stiffness};
 use nalgebra::DMatrix;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::tension_doubts::tension_doubts;
@@ -14,7 +15,8 @@ use crate::table::Table;
 type Rows = Vec<Vec<f64>>;
 
 /// Stiffness matrices of a pose with their meaning.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Stiffness")]
 pub struct StiffnessAnswer {
     robot: String,
     model: String,
@@ -33,7 +35,7 @@ pub struct StiffnessAnswer {
 }
 
 /// Null without tensions or courses.
-#[derive(Default, Serialize)]
+#[derive(Default, Serialize, JsonSchema)]
 struct Matrices {
     stiffness: Option<Rows>,
     geometric: Option<Rows>,

@@ -4,6 +4,7 @@ use cdpr_model::geometry::{Pose, Twist};
 use cdpr_model::model::Model;
 use cdpr_model::tension::quadratic::Certificate;
 use cdpr_model::tension::{self, Intervals, Limits, Method, Status};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::{Answer, PoseAnswer};
@@ -12,7 +13,8 @@ use crate::number_format::cell;
 use crate::table::Table;
 
 /// Tensions at a pose, or the reason why there are none.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Tensions")]
 pub struct TensionAnswer {
     robot: String,
     model: String,
@@ -29,7 +31,7 @@ pub struct TensionAnswer {
 }
 
 /// Finding of a method; null where there is nothing.
-#[derive(Default, Serialize)]
+#[derive(Default, Serialize, JsonSchema)]
 pub struct Found {
     status: &'static str,
     reason: Option<String>,
@@ -54,7 +56,7 @@ pub struct Found {
 }
 
 /// Difference of the wrench of the tensions from the one asked for (N, N·m).
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Missing {
     #[serde(rename = "missing_wrench_N_Nm")]
     wrench: Vec<f64>,

@@ -4,6 +4,7 @@ use cdpr_calibration::Verdict;
 use cdpr_calibration::selection::Warnings;
 use cdpr_calibration::test_bench::{Misfit, Solution};
 use cdpr_model::robot::HysteresisTable;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::Answer;
@@ -13,7 +14,8 @@ use crate::number_format::cell;
 use crate::table::Table;
 
 /// Error of one law (N, and % of the range of tensions).
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "LawError")]
 struct ErrorAnswer {
     #[serde(rename = "rms_N")]
     rms: f64,
@@ -23,8 +25,9 @@ struct ErrorAnswer {
 }
 
 /// Laws of a cable with their errors.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 #[expect(non_snake_case, reason = "keys carry their units")]
+#[schemars(rename = "TestBench")]
 pub struct TestBenchAnswer {
     status: &'static str,
     trusted: bool,
@@ -64,6 +67,7 @@ pub struct TestBenchAnswer {
     out: Option<String>,
     /// Doubts about the laws.
     #[serde(flatten, with = "WarningKeys")]
+    #[schemars(with = "WarningKeys")]
     warnings: Warnings,
     #[serde(skip)]
     keys: String,
