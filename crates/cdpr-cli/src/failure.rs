@@ -65,15 +65,20 @@ const REMEDIES: &[(&str, &str)] = &[
 pub(crate) struct FailureObject<'a> {
     status: &'static str,
     reason: &'a str,
+    /// How to mend it.
     #[serde(skip_serializing_if = "Option::is_none")]
     help: Option<&'a str>,
+    /// File that says something wrong.
     #[serde(skip_serializing_if = "Option::is_none")]
     file: Option<&'a str>,
+    /// Line of the file, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     line: Option<usize>,
+    /// Column of the line, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     column: Option<usize>,
     code: &'static str,
+    /// Exit code of the command.
     exit_code: u8,
 }
 

@@ -33,13 +33,19 @@ pub struct CostResult {
 #[derive(Clone, Serialize, JsonSchema)]
 #[schemars(rename = "CostedCalibration")]
 pub struct CostRow {
+    /// Number of the calibration in the plan, from 0.
     point: usize,
     /// Values of the parameters.
     values: Vec<f64>,
+    /// Sensor of the pose.
     sensor: String,
+    /// Effects of the control model.
     model: String,
+    /// Free parameters.
     free: String,
+    /// Number of measured poses.
     poses: usize,
+    /// Price, in the unit of the sweep.
     price: f64,
     #[serde(flatten)]
     outcome: Option<CalibrationOutcome>,
@@ -51,12 +57,15 @@ pub struct CostRow {
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "CheapestCalibration")]
 pub struct Cheapest {
+    /// Accuracy that is wanted (m).
     accuracy_m: f64,
     /// Values of the parameters.
     values: Vec<f64>,
     /// Number of the calibration; `None` if none is as accurate.
     point: Option<usize>,
+    /// Its price.
     price: Option<f64>,
+    /// The same in words.
     words: String,
 }
 

@@ -9,9 +9,13 @@ use crate::answers::Answer;
 #[derive(Serialize, JsonSchema)]
 pub struct SweepProgress {
     status: &'static str,
+    /// Folder of the sweep.
     folder: String,
+    /// Number of points of the sweep.
     points: usize,
+    /// Points that were computed now.
     computed: usize,
+    /// Points that had been computed before.
     already_there: usize,
     #[serde(skip)]
     words: String,

@@ -6,8 +6,8 @@ use serde::Serialize;
 
 use crate::answers::{Answer, BEYOND_THE_WHOLE, Size, is_beyond_the_whole};
 use crate::figures::{ShareCurve, Shares};
-use crate::keys::table_schema::{ByAccuracySize, PhysicalSize, ReachableSize};
 use crate::keys::SweepRowKeys;
+use crate::keys::table_schema::{ByAccuracySize, PhysicalSize, ReachableSize};
 use crate::number_format::{short, significant};
 use crate::table::Table;
 

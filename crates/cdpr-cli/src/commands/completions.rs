@@ -36,7 +36,9 @@ pub(crate) struct Arguments {
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "CompletionScript")]
 pub(super) struct Completions {
+    /// Name of the shell.
     shell: String,
+    /// The script.
     script: String,
 }
 

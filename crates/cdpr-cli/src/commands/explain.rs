@@ -34,6 +34,7 @@ pub(crate) struct Arguments {
 #[schemars(rename = "Explanation")]
 pub(super) struct Explained {
     code: &'static str,
+    /// The explanation (Markdown).
     explanation: &'static str,
 }
 
@@ -41,6 +42,7 @@ pub(super) struct Explained {
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "CodeList")]
 pub(super) struct Listed {
+    /// The codes.
     codes: Vec<Entry>,
 }
 
@@ -49,6 +51,7 @@ pub(super) struct Listed {
 #[schemars(rename = "CodeEntry")]
 pub(super) struct Entry {
     code: &'static str,
+    /// What it is about, in a line.
     summary: String,
 }
 

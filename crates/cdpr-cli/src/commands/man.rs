@@ -34,9 +34,11 @@ pub(crate) struct Arguments {
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "ManualPages")]
 pub(super) struct Written {
+    /// Names of the pages.
     pages: Vec<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     out: Option<String>,
+    /// Text of the page, where one was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     page: Option<String>,
 }

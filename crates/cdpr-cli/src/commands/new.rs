@@ -174,7 +174,9 @@ impl Answer for Written {
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "TemplateList")]
 pub(super) struct Offer {
+    /// Robots to start from.
     templates: Vec<TemplateEntry>,
+    /// Studies to start from.
     studies: Vec<StudyEntry>,
 }
 

@@ -60,6 +60,7 @@ pub(super) struct Placed {
     robot: String,
     pose: PoseAnswer,
     out: String,
+    /// Cables with their pulleys.
     cables: Vec<PlacedCable>,
     #[serde(skip)]
     axes: Vec<String>,
@@ -70,8 +71,11 @@ pub(super) struct Placed {
 #[schemars(rename = "PlacedPulley")]
 pub(super) struct PlacedCable {
     name: String,
+    /// Radius of the pulley (m); null without one.
     pulley_radius_m: Option<f64>,
+    /// Anchor on the frame (m).
     frame_anchor_m: Vec<f64>,
+    /// Distance of the anchor from the given one (m).
     moved_m: f64,
 }
 

@@ -31,6 +31,7 @@ pub(crate) struct Arguments {
 #[derive(Serialize, JsonSchema)]
 pub(super) struct RobotFile {
     name: String,
+    /// Text of the file (TOML).
     toml: &'static str,
 }
 

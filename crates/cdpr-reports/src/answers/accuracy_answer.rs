@@ -31,15 +31,20 @@ pub struct AccuracyAnswer {
     #[serde(flatten, with = "AccuracyKeys")]
     accuracy: Accuracy,
     winch_offsets_m: Vec<f64>,
+    /// Initial tensions by which the winches are set (N); null where they are set by lengths.
     #[serde(rename = "initial_tensions_N")]
     initial_tensions: Option<Vec<f64>>,
+    /// How well a model tells what emerged from the lengths that were sent, where one was named.
     #[serde(skip_serializing_if = "Option::is_none")]
     prediction: Option<Prediction>,
+    /// Path on which a machine with hysteresis comes to the poses.
     #[serde(with = "Maybe::<HistoryKeys>", skip_serializing_if = "Option::is_none")]
     history: Option<History>,
+    /// Distances between the ends of several ways to each pose, where they were asked for.
     #[serde(with = "Maybe::<BranchesKeys>", skip_serializing_if = "Option::is_none")]
     branches: Option<Branches>,
     seed: u64,
+    /// Errors beside those of the controller of another study.
     #[serde(skip_serializing_if = "Option::is_none")]
     difference: Option<DifferenceAnswer>,
     /// Comparison with the control model by which the winches were set, or with that of the other study.
@@ -55,6 +60,7 @@ pub struct AccuracyAnswer {
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "LengthPrediction")]
 struct Prediction {
+    /// Effects of the model that predicts.
     model: String,
     #[serde(flatten, with = "ErrorBlockKeys")]
     blocks: ErrorBlocks,

@@ -27,11 +27,13 @@ pub struct CampaignAnswer {
     control: String,
     machine: String,
     seed: u64,
+    /// Accuracy at which the campaign ends (m); null without one.
     accuracy_m: Option<f64>,
     /// Poses of the study.
     candidates: usize,
     /// The first controller.
     nominal: Nominal,
+    /// Rounds so far.
     #[serde(with = "Each::<RoundKeys>")]
     rounds: Vec<Round>,
     /// Poses that the campaign waits for.
@@ -44,8 +46,10 @@ pub struct CampaignAnswer {
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "CampaignStart")]
 struct Nominal {
+    /// Errors with which it drives the machine; null if records come from files.
     #[serde(with = "Maybe::<AccuracyKeys>")]
     driven: Option<Accuracy>,
+    /// Fraction of the poses that it reaches.
     reach_share: f64,
 }
 

@@ -23,25 +23,32 @@ pub struct CapabilityAnswer {
     model: String,
     /// Box, ends along each axis of the robot.
     box_m: Vec<f64>,
+    /// Distance of the payload's centre of mass below the platform origin (m).
     #[serde(rename = "payload_place_m")]
     payload_place: f64,
     /// Gap that was asked for.
     gap_wanted: f64,
     /// Poses that were judged.
     poses: u64,
+    /// Mass that is carried everywhere in the box (kg); null where there is none.
     #[serde(rename = "payload_kg")]
     payload: Option<f64>,
+    /// Accelerations that are possible everywhere in the box (m/s²).
     #[serde(rename = "acceleration_m_s2")]
     #[schemars(with = "AccelerationValues")]
     acceleration: Accelerations<Option<f64>>,
+    /// Speed that is possible everywhere in the box (m/s); null where there is none.
     #[serde(rename = "speed_m_s")]
     speed: Option<f64>,
+    /// How the payload was found, or why there is none.
     #[serde(rename = "payload")]
     #[schemars(with = "CapabilityDetail")]
     payload_detail: Value,
+    /// How the accelerations were found, or why there are none.
     #[serde(rename = "acceleration")]
     #[schemars(with = "AccelerationDetails")]
     acceleration_detail: Accelerations<Value>,
+    /// How the speed was found, or why there is none.
     #[serde(rename = "speed")]
     #[schemars(with = "CapabilityDetail")]
     speed_detail: Value,
@@ -50,6 +57,7 @@ pub struct CapabilityAnswer {
     #[schemars(with = "Option<PoseNotHeld>")]
     not_held: Option<Value>,
     warnings: Vec<String>,
+    /// Page that was written.
     #[serde(skip_serializing_if = "Option::is_none")]
     report: Option<String>,
     #[serde(skip)]

@@ -11,8 +11,8 @@ use super::tracking_answer::TrackingAnswer;
 use super::{Answer, title};
 use crate::figures::{ErrorPanel, ErrorRows, Figure};
 use crate::html_page::{Page, PageError, PageKind, plain, prose};
-use crate::keys::adapters::nullable_numbers;
 use crate::keys::adapters::keys;
+use crate::keys::adapters::nullable_numbers;
 use crate::keys::{ChainStepKeys, Maybe};
 use crate::number_format::{NONE, short, significant};
 use crate::table::Table;
@@ -26,19 +26,27 @@ pub struct ChainAnswer {
     status: &'static str,
     control: String,
     machine: String,
+    /// Effects of the model that predicts poses; null where none was named.
     prediction: Option<String>,
     seed: u64,
+    /// Ends of the poses along each axis (m).
     region_m: Vec<[f64; 2]>,
+    /// Stages in their order.
     steps: Vec<StepAnswer>,
+    /// Least and largest change of an anchor coordinate by the first identification (m).
     first_change_m: [f64; 2],
+    /// Least and largest change of an anchor coordinate by the second identification (m).
     second_change_m: [f64; 2],
+    /// Errors before stages divided by those after them.
     ratios: Vec<Ratio>,
     /// Force control by the identified elastostatic model beside that by the nominal one.
     #[serde(skip_serializing_if = "Option::is_none")]
     force_tracking: Option<TrackingAnswer>,
+    /// Poses that are left out, in words.
     left_out: Vec<String>,
     /// The caution about force tracking; remarks follow it.
     warnings: Vec<String>,
+    /// Page that was written.
     #[serde(skip_serializing_if = "Option::is_none")]
     report: Option<String>,
 }
@@ -72,10 +80,15 @@ keys! {
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "ChainRatio", transform = nullable_numbers)]
 struct Ratio {
+    /// Stage before.
     before: &'static str,
+    /// Stage after.
     after: &'static str,
+    /// Ratio of the mean position errors.
     position: f64,
+    /// Ratio of the mean rotation errors.
     rotation: f64,
+    /// Ratio of the mean tension errors; null where a stage has none.
     tension: Option<f64>,
 }
 

@@ -27,9 +27,12 @@ pub struct CheckAnswer {
     name: String,
     title: Option<String>,
     motion_pattern: &'static str,
+    /// Number of degrees of freedom.
     degrees_of_freedom: usize,
     cable_count: usize,
+    /// The home pose, and what the cables can do there.
     home: Home,
+    /// Models that `--model` can name for this file.
     models: Models,
     /// Numbers of the file that no source states and nobody measured.
     assumptions: Vec<Assumption>,
@@ -46,16 +49,22 @@ struct Models {
     richest: String,
     /// All effects that it supports, also those that exclude each other.
     effects: Vec<&'static str>,
+    /// Effects that the file does not support.
     missing: Vec<MissingEffect>,
 }
 
+/// Home pose, and what the cables can do there.
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "HomePose")]
 struct Home {
     pose: PoseAnswer,
+    /// Rank of the structure matrix; null where a cable has no unique path.
     rank: Option<usize>,
+    /// Condition of the structure matrix, moments divided by a length; null below full rank.
     condition: Option<f64>,
+    /// True where tensions within the limits hold the load; null where this is not known.
     feasible: Option<bool>,
+    /// The same in words.
     feasible_note: String,
 }
 

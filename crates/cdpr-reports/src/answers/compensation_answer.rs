@@ -46,6 +46,7 @@ pub struct CompensationAnswer {
 struct MapRegion {
     /// Pose about which coordinates count.
     centre: PoseAnswer,
+    /// Ranges of the coordinates.
     #[serde(with = "Each::<ExtentKeys>")]
     coordinates: Vec<Extent>,
 }

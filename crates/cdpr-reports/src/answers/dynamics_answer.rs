@@ -34,8 +34,11 @@ pub struct DynamicsAnswer {
     angular_velocity_rad_s: Option<AngularRate>,
     /// M (kg, kg·m, kg·m²) and n (N, N·m) of M \[v̇; ω̇\] + n = wrench.
     mass_matrix: Vec<Vec<f64>>,
+    /// Wrench at no acceleration: gyroscopic forces minus the load.
     bias: WrenchAnswer,
+    /// Acceleration of the platform origin (m/s²).
     acceleration_m_s2: Vec<f64>,
+    /// Angular acceleration (rad/s²).
     #[serde(skip_serializing_if = "Option::is_none")]
     angular_acceleration_rad_s2: Option<AngularRate>,
     /// Wrench of the cables on the platform.

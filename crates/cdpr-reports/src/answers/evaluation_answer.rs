@@ -37,6 +37,7 @@ pub struct EvaluationAnswer {
     /// Map that corrects the lengths.
     #[serde(skip_serializing_if = "Option::is_none")]
     compensation: Option<UsedMap>,
+    /// File of the errors sample by sample.
     #[serde(skip_serializing_if = "Option::is_none")]
     out_errors: Option<String>,
     /// Doubts about the data, then rules of plausibility that the errors break.
@@ -50,6 +51,7 @@ pub struct EvaluationAnswer {
 /// Map that corrects lengths.
 #[derive(Serialize, JsonSchema)]
 struct UsedMap {
+    /// File of the map.
     file: String,
     /// Samples beyond those of the map, at which the model stands alone, and in the margin around them.
     #[serde(flatten, with = "BeyondKeys")]

@@ -13,6 +13,7 @@ use super::Answer;
 pub struct FirmwareAnswer {
     status: &'static str,
     robot: String,
+    /// Lines of the configuration.
     lines: Vec<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     out: Option<String>,
@@ -48,7 +49,9 @@ pub struct TableAnswer {
     /// Map that corrects the lengths.
     #[serde(skip_serializing_if = "Option::is_none")]
     compensation: Option<String>,
+    /// Number of poses.
     poses: usize,
+    /// Lengths of the cables pose by pose (m).
     cable_lengths_m: Vec<Vec<f64>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     out: Option<String>,
@@ -96,10 +99,13 @@ impl Answer for TableAnswer {
 pub struct ExportAnswer {
     status: &'static str,
     reason: Option<String>,
+    /// File of the result.
     result: String,
+    /// Candidate that the figures show; null where there is none to choose.
     candidate: Option<String>,
     out: String,
     files: Vec<String>,
+    /// Figures that the result has no numbers for.
     skipped: Vec<SkippedFigure>,
 }
 

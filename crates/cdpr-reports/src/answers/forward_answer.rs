@@ -40,6 +40,7 @@ fn stability(status: Status) -> Option<&'static str> {
 #[schemars(rename = "AlternativePose")]
 struct AlternativeAnswer {
     pose: PoseAnswer,
+    /// Root mean square of the length residuals there (m).
     residual_rms_m: f64,
 }
 
@@ -53,14 +54,17 @@ pub struct ForwardAnswer {
     #[serde(with = "Word")]
     status: Status,
     reason: Option<String>,
+    /// Start of the search.
     #[serde(with = "Word")]
     sought_from: Start,
     pose: PoseAnswer,
     /// A better fit elsewhere than the pose that belongs to the start of the search.
     #[serde(skip_serializing_if = "Option::is_none")]
     alternative: Option<AlternativeAnswer>,
+    /// Modelled minus given lengths (m).
     #[serde(skip_serializing_if = "Option::is_none")]
     residuals_m: Option<Vec<f64>>,
+    /// Root mean square of the residuals (m).
     #[serde(skip_serializing_if = "Option::is_none")]
     residual_rms_m: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -77,7 +81,9 @@ pub struct ForwardAnswer {
     /// `stable`, `indifferent`, `unstable`: of an equilibrium.
     #[serde(skip_serializing_if = "Option::is_none")]
     stability: Option<&'static str>,
+    /// Steps of the search.
     iterations: u32,
+    /// Searches from other starts.
     restarts: u32,
     #[serde(skip)]
     cable_names: Vec<String>,

@@ -1,12 +1,12 @@
 //! Poses at which a platform hangs at a position.
 
+use crate::keys::adapters::nullable_numbers;
 use cdpr_model::equilibrium::hanging::{Hanging, HangingPoses};
 use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 use cdpr_model::statics::Stability;
 use schemars::JsonSchema;
 use serde::Serialize;
-use crate::keys::adapters::nullable_numbers;
 
 use super::answer::Answer;
 use super::pose_answer::PoseAnswer;
@@ -29,6 +29,7 @@ pub(super) struct HangingPose {
 /// All poses at which the platform hangs at a position, stable ones first.
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 pub(super) struct HangingKeys {
+    /// Poses in equilibrium, stable ones first.
     solutions: Vec<HangingPose>,
     /// Dimensions of the family of poses that the position leaves; 0 where they are single.
     freedom: usize,
@@ -89,6 +90,7 @@ pub struct NoHangingAnswer {
     model: String,
     status: &'static str,
     reason: String,
+    /// Position that was asked about (m).
     position_m: Vec<f64>,
     #[serde(flatten)]
     poses: HangingKeys,

@@ -31,6 +31,7 @@ pub struct IdentificationAnswer {
     #[serde(flatten)]
     pub(super) told: Told,
     pub(super) status: &'static str,
+    /// False where nobody should work with the parameters; the warnings say why.
     pub(super) trusted: bool,
     #[serde(skip)]
     pub(super) verdict: Verdict,
@@ -41,14 +42,17 @@ pub struct IdentificationAnswer {
     /// Errors of the calibrated model on the samples of the fit, as `train`.
     #[serde(with = "ErrorBlockKeys")]
     pub(super) predicted: ErrorBlocks,
+    /// Steps of the fit, where they are asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) course: Option<CourseAnswer>,
     #[serde(flatten)]
     pub(super) uncertainty: UncertaintyAnswer,
     #[serde(flatten)]
     pub(super) path: Option<PathAnswer>,
+    /// Smaller model that the data show, where it is asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) reduction: Option<ReductionAnswer>,
+    /// Condition of the Jacobian and scales of the parameters, where they are asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) scaling: Option<ScalingAnswer>,
     #[serde(skip)]

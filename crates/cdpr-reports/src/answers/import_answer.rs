@@ -15,6 +15,7 @@ pub struct ImportAnswer {
     robot: String,
     motion_pattern: &'static str,
     out: String,
+    /// Parts of the model that were taken.
     taken: Taken,
     /// Forces and parts that act in CASPR and are not in the robot.
     #[serde(with = "Each::<FindingKeys>")]
@@ -25,15 +26,23 @@ pub struct ImportAnswer {
     warnings: Vec<String>,
 }
 
+/// Parts of another program's model that were taken.
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "TakenParts")]
 struct Taken {
+    /// Name of the platform's link.
     link: String,
+    /// Kind of the joint.
     joint: String,
+    /// Set of cables that was taken.
     cable_set: String,
+    /// Sets of cables of the model.
     cable_sets: Vec<String>,
+    /// Names of the cables.
     cables: Vec<String>,
+    /// Number of cables with a pulley.
     pulleys: usize,
+    /// Number of cables with a stiffness.
     elastic_cables: usize,
 }
 

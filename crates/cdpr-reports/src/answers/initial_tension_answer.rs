@@ -28,16 +28,20 @@ pub struct WinchState {
 pub struct InitialTensionAnswer {
     status: &'static str,
     reason: Option<String>,
+    /// Number of poses.
     poses: usize,
     #[serde(flatten, with = "InitialTensionKeys")]
     best: Optimum,
     /// Reason that the first pose without a target has none.
     #[serde(skip_serializing_if = "Option::is_none")]
     no_target: Option<String>,
+    /// State with the winches as the study sets them.
     #[serde(with = "WinchStateKeys")]
     before: WinchState,
+    /// State with the winches as found.
     #[serde(with = "WinchStateKeys")]
     after: WinchState,
+    /// Way from the one state to the other.
     #[serde(with = "ApproachKeys")]
     approach: Approach,
     /// Names of the cables.

@@ -32,19 +32,26 @@ pub struct LoadAnswer {
 struct Statics {
     #[serde(flatten)]
     wrench: WrenchAnswer,
+    /// Part of the tensions that makes no wrench (N).
     #[serde(rename = "internal_N")]
     internal: Option<Vec<f64>>,
+    /// Part of the tensions that makes the wrench (N).
     #[serde(rename = "external_N")]
     external: Option<Vec<f64>>,
+    /// Rank of the structure matrix.
     rank: Option<usize>,
+    /// Wrenches of the sections of the cables, where there are several.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     sections: Vec<Section>,
 }
 
+/// Wrench of some of the cables.
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "LoadSection")]
 struct Section {
+    /// Name of the section.
     name: String,
+    /// Cables of the section, from 1.
     cables: Vec<usize>,
     #[serde(flatten)]
     wrench: WrenchAnswer,

@@ -7,7 +7,9 @@ use serde::Serialize;
 /// An effect, and the key that the file lacks for it.
 #[derive(Serialize, JsonSchema)]
 pub(super) struct MissingEffect {
+    /// Name of the effect.
     effect: &'static str,
+    /// Reason why it is not supported.
     reason: String,
     /// Key that the file lacks.
     #[serde(skip)]

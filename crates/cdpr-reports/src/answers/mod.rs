@@ -66,6 +66,7 @@ mod test_bench_answer;
 mod tracking_answer;
 mod uncertainty_answer;
 mod workspace_answer;
+mod workspace_parts;
 mod wrench_answer;
 
 pub use accuracy_answer::{AccuracyAnswer, Assessed};

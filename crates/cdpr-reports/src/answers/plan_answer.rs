@@ -46,13 +46,17 @@ pub struct PlanAnswer {
     robot: String,
     model: String,
     free: String,
+    /// Criterion that the plan is best by.
     criterion: &'static str,
     status: &'static str,
     reason: Option<String>,
+    /// Number of planned poses.
     count: usize,
+    /// Number of candidates.
     candidates: usize,
     /// Poses of the list that cannot be measured.
     left_out: Vec<LeftOut>,
+    /// Number of poses that were measured already.
     given: usize,
     /// Rows of the list of candidates, from 1, in the order of the path.
     poses: Vec<usize>,
@@ -91,7 +95,9 @@ keys! {
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "LeftOutPose")]
 struct LeftOut {
+    /// Row of the list, from 1.
     pose: usize,
+    /// Reason why it cannot be measured.
     reason: String,
 }
 

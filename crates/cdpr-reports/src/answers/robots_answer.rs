@@ -11,9 +11,11 @@ use crate::table::Table;
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "RobotList")]
 pub struct RobotsAnswer {
+    /// Built-in robots.
     robots: Vec<Entry>,
 }
 
+/// Built-in robot.
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "RobotEntry")]
 struct Entry {

@@ -23,15 +23,19 @@ use crate::report::Addition;
 pub struct SelfCalibrationAnswer {
     pub(super) robot: String,
     pub(super) model: String,
+    /// Free parameters.
     free: String,
     pub(super) data: String,
+    /// Number of samples.
     pub(super) samples: usize,
     status: &'static str,
+    /// False where nobody should work with the parameters; the warnings say why.
     trusted: bool,
     #[serde(skip)]
     pub(super) verdict: Verdict,
     #[serde(flatten, with = "SelfCalibrationKeys")]
     pub(super) found: SelfCalibration,
+    /// Anchors on the frame, cable by cable (m).
     frame_anchors_m: Vec<Vec<f64>>,
     /// Poses at which the lengths fit best.
     poses: Vec<PoseAnswer>,
@@ -49,6 +53,7 @@ pub struct SelfCalibrationAnswer {
     pub(super) warnings: Warnings,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) out: Option<String>,
+    /// File of the poses.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) out_poses: Option<String>,
     /// Effects and free parameters in plain words.

@@ -12,8 +12,11 @@ use super::{Answer, beyond_map, control_title};
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "Simulation")]
 pub struct SimulationAnswer {
+    /// Number of samples.
     samples: usize,
+    /// Number of poses without an answer.
     left_out: usize,
+    /// Reasons why poses were left out.
     reasons: Vec<String>,
     seed: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -22,7 +25,9 @@ pub struct SimulationAnswer {
     #[serde(skip_serializing_if = "Option::is_none")]
     remark: Option<String>,
     winch_offsets_m: Vec<f64>,
+    /// File of the measurements.
     out: String,
+    /// File that says what is known about the measurements.
     sidecar: String,
 }
 

@@ -125,6 +125,7 @@ struct InformationKeys {
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "Fold")]
 struct Fold {
+    /// Name of the fold.
     name: String,
     #[serde(flatten, with = "ErrorBlockKeys")]
     errors: ErrorBlocks,

@@ -14,9 +14,9 @@ use serde_json::json;
 
 use super::Differential;
 use super::differential::DifferentialKeys;
-use crate::keys::table_schema::{EmergingSize, LinearSize, ModelSize, PartSize, PhysicalSize, ReachableSize};
 use crate::answers::{BEYOND_THE_WHOLE, Size, beyond_map, control_title, is_beyond_the_whole, title};
 use crate::keys::BeyondKeys;
+use crate::keys::table_schema::{EmergingSize, LinearSize, ModelSize, PartSize, PhysicalSize, ReachableSize};
 
 /// Question of a search.
 #[derive(Clone, Copy)]
@@ -126,6 +126,7 @@ pub(super) struct SizeAndShare {
     #[serde(flatten)]
     #[schemars(with = "ReachableSize")]
     pub(super) size: Size,
+    /// Share of the physical workspace; null without one.
     share: Option<f64>,
 }
 
@@ -133,6 +134,7 @@ pub(super) struct SizeAndShare {
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "ReachableWithError")]
 pub(super) struct WithError {
+    /// Largest position error that counts as reached (m).
     pub(super) position_error_max_m: f64,
     #[serde(flatten)]
     pub(super) reached: SizeAndShare,
