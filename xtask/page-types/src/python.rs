@@ -214,8 +214,12 @@ impl Classes<'_> {
             let names: Option<Vec<&str>> = each.into_iter().map(reference).collect();
             table.insert(command, names.ok_or(format!("{command}: an answer without a definition"))?);
         }
-        let lines: String =
-            table.iter().map(|(command, names)| format!("    \"{command}\": ({},),\n", names.join(", "))).collect();
+        let mut lines = String::new();
+        for (command, names) in table {
+            // a tuple of one ends with a comma
+            let end = if names.len() == 1 { "," } else { "" };
+            lines.push_str(&format!("    \"{command}\": ({}{end}),\n", names.join(", ")));
+        }
         Ok(format!(
             "\n\nANSWERS: Mapping[str, tuple[type[Result], ...]] = {{\n{lines}}}\n\"\"\"Classes of the answers of each command.\"\"\"\n"
         ))

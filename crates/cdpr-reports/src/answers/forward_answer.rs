@@ -63,14 +63,17 @@ pub struct ForwardAnswer {
     alternative: Option<AlternativeAnswer>,
     /// Modelled minus given lengths (m).
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<Vec<Option<f64>>>")]
     residuals_m: Option<Vec<f64>>,
     /// Root mean square of the residuals (m).
     #[serde(skip_serializing_if = "Option::is_none")]
     residual_rms_m: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<Vec<Option<f64>>>")]
     tensions_N: Option<Vec<f64>>,
     /// Least and largest tension of each rigid cable where statics leaves a choice; null where nothing bounds it.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<Vec<[Option<f64>; 2]>>")]
     tension_intervals_N: Option<Vec<[f64; 2]>>,
     /// Size of the wrench that is out of balance, moments divided by the platform radius.
     #[serde(skip_serializing_if = "Option::is_none")]

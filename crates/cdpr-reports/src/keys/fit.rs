@@ -227,6 +227,7 @@ pub(crate) struct PoselessFitKeys {
 /// Fit of one model.
 #[derive(Serialize, JsonSchema)]
 #[serde(remote = "Fit")]
+#[schemars(transform = nullable_numbers)]
 pub(crate) struct FitKeys {
     #[serde(flatten, getter = "itself", with = "CandidateFitKeys")]
     of_candidate: Fit,
