@@ -13,6 +13,8 @@ struct Generated {
 }
 
 const FILES: &[Generated] = &[
+    Generated { path: ANSWER_SCHEMA, command: &["schema", "answers"] },
+    Generated { path: COMMANDS, command: &["schema", "command-line"] },
     Generated { path: "schemas/measurement.schema.json", command: &["schema", "measurement"] },
     Generated { path: SCHEMA, command: &["schema", "page"] },
     Generated { path: "schemas/robot.schema.json", command: &["schema", "robot"] },
@@ -21,9 +23,21 @@ const FILES: &[Generated] = &[
     Generated { path: "schemas/sweep.schema.json", command: &["schema", "sweep"] },
 ];
 
-/// Types of the data that pages draw from, for `viewer/`, and the schema that they are made of.
-const TYPES: &str = "viewer/src/data.ts";
+/// Types in another language, and the words after `page-types` that make them of a committed schema.
+struct Types {
+    path: &'static str,
+    words: &'static [&'static str],
+}
+
+/// Types of the data that pages draw from, for `viewer/`, and answers and questions, for `python/`.
+const TYPES: &[Types] = &[
+    Types { path: "viewer/src/data.ts", words: &[SCHEMA] },
+    Types { path: "python/src/cdpr/_answers.py", words: &["--python", ANSWER_SCHEMA] },
+    Types { path: "python/src/cdpr/_questions.py", words: &["--functions", COMMANDS] },
+];
 const SCHEMA: &str = "schemas/page.schema.json";
+const COMMANDS: &str = "schemas/command-line.json";
+const ANSWER_SCHEMA: &str = "schemas/answers.schema.json";
 
 /// Complains of every file that differs from what the program writes now.
 pub(crate) fn check(root: &Path) -> Outcome {
@@ -38,10 +52,10 @@ pub(crate) fn check(root: &Path) -> Outcome {
         };
         stale(root, file.path, &expected)
     });
-    let types = match types(root) {
-        Ok(types) => stale(root, TYPES, &types),
+    let types = TYPES.iter().filter_map(|of| match types(root, of) {
+        Ok(types) => stale(root, of.path, &types),
         Err(message) => Some(message),
-    };
+    });
     let mut outcome = Outcome::of(complaints.chain(types).chain(notices::check(root)).collect());
     outcome.add(dist::licences(root));
     outcome
@@ -53,7 +67,9 @@ pub(crate) fn write(root: &Path) -> Result<(), String> {
     for file in FILES {
         put(root, file.path, &output(root, &program, file)?)?;
     }
-    put(root, TYPES, &types(root)?)?;
+    for of in TYPES {
+        put(root, of.path, &types(root, of)?)?;
+    }
     notices::write(root)
 }
 
@@ -77,12 +93,13 @@ fn put(root: &Path, name: &str, content: &[u8]) -> Result<(), String> {
 }
 
 /// Types of the committed schema.
-fn types(root: &Path) -> Result<Vec<u8>, String> {
-    let output = cargo::command(root, &["run", "--quiet", "-p", "page-types", "--", SCHEMA]).output();
+fn types(root: &Path, of: &Types) -> Result<Vec<u8>, String> {
+    let words = [&["run", "--quiet", "-p", "page-types", "--"], of.words].concat();
+    let output = cargo::command(root, &words).output();
     let output = output.map_err(|error| format!("cannot start cargo: {error}"))?;
     match output.status.success() {
         true => Ok(output.stdout),
-        false => Err(format!("{TYPES}: {}", String::from_utf8_lossy(&output.stderr).trim())),
+        false => Err(format!("{}: {}", of.path, String::from_utf8_lossy(&output.stderr).trim())),
     }
 }
 

@@ -4,6 +4,7 @@ use std::io;
 
 use cdpr_model::reading::ErrorCode;
 use cdpr_model::reading::ReadError;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// Why there is no answer.
@@ -59,19 +60,25 @@ const REMEDIES: &[(&str, &str)] = &[
 ];
 
 /// A failure as scripts see it.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
+#[schemars(rename = "Failure")]
 pub(crate) struct FailureObject<'a> {
     status: &'static str,
     reason: &'a str,
+    /// How to mend it.
     #[serde(skip_serializing_if = "Option::is_none")]
     help: Option<&'a str>,
+    /// File that says something wrong.
     #[serde(skip_serializing_if = "Option::is_none")]
     file: Option<&'a str>,
+    /// Line of the file, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     line: Option<usize>,
+    /// Column of the line, from 1.
     #[serde(skip_serializing_if = "Option::is_none")]
     column: Option<usize>,
     code: &'static str,
+    /// Exit code of the command.
     exit_code: u8,
 }
 

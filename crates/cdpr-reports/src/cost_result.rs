@@ -1,6 +1,7 @@
 //! Costs of accuracy: the joined rows of a sweep over calibrations.
 
 use cdpr_study::sweep::{CalibrationOutcome, CalibrationPoint, CalibrationTable, Row};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answers::Answer;
@@ -9,7 +10,8 @@ use crate::number_format::{NONE, short, significant};
 use crate::table::Table;
 
 /// Calibrations with what they cost and come to.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "CalibrationCosts")]
 pub struct CostResult {
     /// Outcome in a word.
     pub status: &'static str,
@@ -28,15 +30,22 @@ pub struct CostResult {
 }
 
 /// A calibration.
-#[derive(Clone, Serialize)]
+#[derive(Clone, Serialize, JsonSchema)]
+#[schemars(rename = "CostedCalibration")]
 pub struct CostRow {
+    /// Number of the calibration in the plan, from 0.
     point: usize,
     /// Values of the parameters.
     values: Vec<f64>,
+    /// Sensor of the pose.
     sensor: String,
+    /// Effects of the control model.
     model: String,
+    /// Free parameters.
     free: String,
+    /// Number of measured poses.
     poses: usize,
+    /// Price, in the unit of the sweep.
     price: f64,
     #[serde(flatten)]
     outcome: Option<CalibrationOutcome>,
@@ -45,14 +54,18 @@ pub struct CostRow {
 }
 
 /// Cheapest calibration for an accuracy.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "CheapestCalibration")]
 pub struct Cheapest {
+    /// Accuracy that is wanted (m).
     accuracy_m: f64,
     /// Values of the parameters.
     values: Vec<f64>,
     /// Number of the calibration; `None` if none is as accurate.
     point: Option<usize>,
+    /// Its price.
     price: Option<f64>,
+    /// The same in words.
     words: String,
 }
 

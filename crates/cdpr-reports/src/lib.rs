@@ -24,6 +24,8 @@
 //! | [`paragraphs`] | text for people that folds at the width of a terminal |
 //! | [`table`] | tables for people, fitted to a width |
 
+mod answer_keys;
+mod answer_schema;
 pub mod answers;
 pub mod comparison;
 pub mod cost_result;
@@ -49,6 +51,7 @@ pub mod sweep_result;
 pub mod table;
 pub mod workspace_page;
 
+pub use answer_schema::AnswerSchemas;
 pub use html_page::PageError;
 pub use named_file::NamedFile;
 pub use page_schema::page_schema;

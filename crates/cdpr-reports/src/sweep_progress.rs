@@ -1,16 +1,21 @@
 //! A sweep on its way: what is planned or computed of it.
 
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answers::Answer;
 
 /// Points of a sweep that are planned, or of a shard that are computed.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct SweepProgress {
     status: &'static str,
+    /// Folder of the sweep.
     folder: String,
+    /// Number of points of the sweep.
     points: usize,
+    /// Points that were computed now.
     computed: usize,
+    /// Points that had been computed before.
     already_there: usize,
     /// Names of the files that the rows of all points will have, in the folder `rows` beside the plan.
     #[serde(skip_serializing_if = "Vec::is_empty")]

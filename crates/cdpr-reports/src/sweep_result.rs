@@ -1,16 +1,18 @@
 //! The joined rows of a sweep: answer, table and drawing.
 
 use cdpr_study::sweep::Row;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answers::{Answer, BEYOND_THE_WHOLE, Size, is_beyond_the_whole};
 use crate::figures::{ShareCurve, Shares};
 use crate::keys::SweepRowKeys;
+use crate::keys::table_schema::{ByAccuracySize, PhysicalSize, ReachableSize};
 use crate::number_format::{short, significant};
 use crate::table::Table;
 
 /// Rows of all points of a sweep.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct SweepResult {
     /// Outcome in a word.
     pub status: &'static str,
@@ -34,17 +36,20 @@ pub struct SweepResult {
 }
 
 /// A point of a sweep with its shares.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct SweepPoint {
     /// Values and cells.
     #[serde(flatten, with = "SweepRowKeys")]
     pub row: Row,
     /// Reachable with each largest position error.
     #[serde(flatten)]
+    #[schemars(with = "ByAccuracySize")]
     by_accuracy: Size<Vec<f64>>,
     #[serde(flatten)]
+    #[schemars(with = "PhysicalSize")]
     physical: Size,
     #[serde(flatten)]
+    #[schemars(with = "ReachableSize")]
     reachable: Size,
     /// Size reached whatever the error, as a share of the physical workspace.
     pub share: Option<f64>,

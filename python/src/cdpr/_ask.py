@@ -130,7 +130,7 @@ def ask(
         raise refused(answer["code"], in_python(answer["reason"]), help and in_python(help), place)
     made = {name: content for name, content in files.items() if given.get(name) != content}
     cls = result[0]._class_for(result, answer) if isinstance(result, tuple) else result
-    return cls._of(answer, made, tuple(call.line()))
+    return cls._of(answer, made, tuple(call.line()), given)
 
 
 def observer(progress: Progress) -> tuple[Any, Any]:

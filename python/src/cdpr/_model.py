@@ -184,7 +184,7 @@ class Model:
         if tensions is None:
             if not data.needs_tensions:
                 return data.lengths(poses, out)
-            tensions = data.tensions(poses, "qp", limits, wrench)[0]
+            tensions = self._balanced(poses, wrench, limits)
         return data.lengths_under(poses, tensions, state and state._data, out)
 
     def lengths(self, poses: Numbers, out: Array | None = None) -> Array:
@@ -258,8 +258,14 @@ class Model:
         ``tensions`` as in :meth:`inverse`. NaN where there is no equilibrium.
         """
         if tensions is None:
-            tensions = self._data.tensions(poses, "qp", limits, wrench)[0]
+            tensions = self._balanced(poses, wrench, limits)
         return self._data.stiffness(poses, tensions, wrench, out)
+
+    def _balanced(self, poses: Numbers, wrench: Numbers | None, limits: tuple[Any, Any] | None) -> Array:
+        """Returns the tensions nearest to the middle of the limits that balance the load; NaN where none do."""
+        tensions, status = self._data.tensions(poses, "qp", limits, wrench)
+        tensions[np.broadcast_to(status != TensionStatus.FEASIBLE, tensions.T.shape).T] = np.nan
+        return tensions
 
     def __repr__(self) -> str:
         return f"<cdpr.Model {self.composition!r} of {self._robot.name!r}>"

@@ -1,18 +1,30 @@
-//! `page-types SCHEMA`: TypeScript interfaces of a JSON Schema on stdout.
+//! `page-types SCHEMA`: TypeScript interfaces of a JSON Schema on stdout; `page-types --python SCHEMA`: classes of Python;
+//! `page-types --functions COMMANDS`: functions of Python for the commands of a description.
 
+mod functions;
+mod python;
 mod typescript;
+mod words;
 
 use std::io::Write;
 use std::process::ExitCode;
 
+/// Makes the text of a file from a schema or a description.
+type Translate = fn(&serde_json::Value) -> Result<String, String>;
+
 fn main() -> ExitCode {
-    let Some(path) = std::env::args().nth(1) else { return failed("usage: page-types SCHEMA") };
-    let schema = match std::fs::read_to_string(&path).map_err(|error| error.to_string()).and_then(|text| parsed(&text))
-    {
+    let words: Vec<String> = std::env::args().skip(1).collect();
+    let (translate, path): (Translate, &String) = match words.as_slice() {
+        [path] => (typescript::interfaces, path),
+        [option, path] if option == "--functions" => (functions::functions, path),
+        [option, path] if option == "--python" => (python::module, path),
+        _ => return failed("usage: page-types [--python|--functions] FILE"),
+    };
+    let schema = match std::fs::read_to_string(path).map_err(|error| error.to_string()).and_then(|text| parsed(&text)) {
         Ok(schema) => schema,
         Err(error) => return failed(&format!("{path}: {error}")),
     };
-    match typescript::interfaces(&schema) {
+    match translate(&schema) {
         Ok(text) => match std::io::stdout().write_all(text.as_bytes()) {
             Ok(()) => ExitCode::SUCCESS,
             Err(error) => failed(&error.to_string()),

@@ -4,6 +4,7 @@ use std::process::ExitCode;
 
 use clap::{Args, CommandFactory};
 use clap_complete::Shell;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::CommandLine;
@@ -31,9 +32,13 @@ pub(crate) struct Arguments {
     shell: Shell,
 }
 
-#[derive(Serialize)]
-struct Completions {
+/// Script by which a shell completes commands.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "CompletionScript")]
+pub(super) struct Completions {
+    /// Name of the shell.
     shell: String,
+    /// The script.
     script: String,
 }
 

@@ -4,6 +4,7 @@ use std::process::ExitCode;
 
 use cdpr_model::reading::did_you_mean;
 use clap::Args;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answer::{Answer, Output};
@@ -28,20 +29,29 @@ pub(crate) struct Arguments {
     code: Option<String>,
 }
 
-#[derive(Serialize)]
-struct Explained {
+/// Explanation of a code.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Explanation")]
+pub(super) struct Explained {
     code: &'static str,
+    /// The explanation (Markdown).
     explanation: &'static str,
 }
 
-#[derive(Serialize)]
-struct Listed {
+/// All codes that are explained.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "CodeList")]
+pub(super) struct Listed {
+    /// The codes.
     codes: Vec<Entry>,
 }
 
-#[derive(Serialize)]
-struct Entry {
+/// A code in a line.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "CodeEntry")]
+pub(super) struct Entry {
     code: &'static str,
+    /// What it is about, in a line.
     summary: String,
 }
 

@@ -6,6 +6,7 @@ use std::process::ExitCode;
 
 use clap::{Args, Command, CommandFactory};
 use clap_mangen::Man;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::CommandLine;
@@ -29,11 +30,15 @@ pub(crate) struct Arguments {
     out: Option<PathBuf>,
 }
 
-#[derive(Serialize)]
-struct Written {
+/// Manual pages.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "ManualPages")]
+pub(super) struct Written {
+    /// Names of the pages.
     pages: Vec<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     out: Option<String>,
+    /// Text of the page, where one was asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     page: Option<String>,
 }

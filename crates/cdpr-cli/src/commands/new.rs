@@ -7,6 +7,7 @@ use std::process::ExitCode;
 
 use cdpr_model::reading::{Size, did_you_mean};
 use clap::Args;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answer::{Answer, Output};
@@ -142,8 +143,10 @@ fn write(folder: &Path, wanted: &[EmbeddedFile], force: bool) -> Result<Vec<Stri
     Ok(missing.iter().map(|(path, _)| path.display().to_string()).collect())
 }
 
-#[derive(Serialize)]
-struct Written {
+/// Folder with the files of a new robot.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "NewFolder")]
+pub(super) struct Written {
     name: String,
     out: String,
     /// Paths; files that were there already as they are do not count.
@@ -167,22 +170,30 @@ impl Answer for Written {
     }
 }
 
-#[derive(Serialize)]
-struct Offer {
+/// Robots and studies to start from.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "TemplateList")]
+pub(super) struct Offer {
+    /// Robots to start from.
     templates: Vec<TemplateEntry>,
+    /// Studies to start from.
     studies: Vec<StudyEntry>,
 }
 
-#[derive(Serialize)]
-struct TemplateEntry {
+/// Robot to start from.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "TemplateRobot")]
+pub(super) struct TemplateEntry {
     name: &'static str,
     motion_pattern: &'static str,
     cable_count: usize,
     title: String,
 }
 
-#[derive(Serialize)]
-struct StudyEntry {
+/// Study to start from.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "TemplateStudy")]
+pub(super) struct StudyEntry {
     name: &'static str,
     title: &'static str,
 }

@@ -7,6 +7,7 @@ use cdpr_model::model::place_pulleys;
 use cdpr_model::robot::Robot;
 use clap::Args;
 use nalgebra::Vector3;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answer::{Answer, Output};
@@ -52,21 +53,29 @@ pub(crate) struct Arguments {
     out: PathBuf,
 }
 
-#[derive(Serialize)]
-struct Placed {
+/// Pulleys placed so that cables leave them through the anchors of the point model.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "PlacedPulleys")]
+pub(super) struct Placed {
     robot: String,
     pose: PoseAnswer,
     out: String,
+    /// Cables with their pulleys.
     cables: Vec<PlacedCable>,
     #[serde(skip)]
     axes: Vec<String>,
 }
 
-#[derive(Serialize)]
-struct PlacedCable {
+/// Pulley of a cable.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "PlacedPulley")]
+pub(super) struct PlacedCable {
     name: String,
+    /// Radius of the pulley (m); null without one.
     pulley_radius_m: Option<f64>,
+    /// Anchor on the frame (m).
     frame_anchor_m: Vec<f64>,
+    /// Distance of the anchor from the given one (m).
     moved_m: f64,
 }
 

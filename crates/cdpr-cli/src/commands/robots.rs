@@ -4,6 +4,7 @@ use std::process::ExitCode;
 
 use cdpr_model::robot::{Robot, builtin};
 use clap::Args;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answer::{Answer, Output};
@@ -26,9 +27,11 @@ pub(crate) struct Arguments {
     name: Option<String>,
 }
 
-#[derive(Serialize)]
-struct RobotFile {
+/// File of a built-in robot.
+#[derive(Serialize, JsonSchema)]
+pub(super) struct RobotFile {
     name: String,
+    /// Text of the file (TOML).
     toml: &'static str,
 }
 

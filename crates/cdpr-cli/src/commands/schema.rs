@@ -1,5 +1,6 @@
 //! `cdpr schema`: JSON Schemas of the file formats.
 
+mod answers;
 mod command_line;
 
 use std::process::ExitCode;
@@ -35,6 +36,8 @@ enum FileFormat {
     Scenario,
     /// Sweep (TOML): a study and the parameters that change.
     Sweep,
+    /// Answers of all commands (JSON), as `--format json` writes them.
+    Answers,
     /// Data block of a page (JSON).
     Page,
     /// All commands with their arguments, from which other languages make functions (JSON, no schema).
@@ -67,6 +70,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         FileFormat::Study => cdpr_study::study::schema().to_value(),
         FileFormat::Scenario => cdpr_plant::scenario::schema().to_value(),
         FileFormat::Sweep => cdpr_study::sweep::schema().to_value(),
+        FileFormat::Answers => answers::schema().to_value(),
         FileFormat::Page => cdpr_reports::page_schema().to_value(),
         FileFormat::CommandLine => command_line::described(&CommandLine::command()),
         FileFormat::Measurement => cdpr_model::measurement::schema().to_value(),

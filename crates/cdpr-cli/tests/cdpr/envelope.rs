@@ -111,7 +111,7 @@ fn assert_enveloped(run: &Run, arguments: &str, robot: Option<&str>) -> bool {
 }
 
 /// Names of the commands that the help lists in its groups.
-fn commands() -> BTreeSet<String> {
+pub(super) fn commands() -> BTreeSet<String> {
     let help = cdpr("--help").stdout;
     let lines = help.lines().skip_while(|line| !line.starts_with("Usage:")).take_while(|line| *line != "Options:");
     // lines that go on with a description are indented more

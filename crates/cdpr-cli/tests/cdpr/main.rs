@@ -3,6 +3,7 @@
 #![expect(clippy::unwrap_used, reason = "a test that cannot go on fails")]
 
 mod advise;
+mod answer_schema;
 mod bad_input;
 mod book;
 mod capability;
@@ -69,6 +70,7 @@ use serde_json::Value;
 
 /// What a run of `cdpr` left behind.
 struct Run {
+    arguments: Vec<String>,
     exit_code: i32,
     stdout: String,
     stderr: String,
@@ -76,11 +78,13 @@ struct Run {
 
 /// Runs `cdpr` with arguments separated by spaces.
 fn cdpr(arguments: &str) -> Run {
-    let words = ["cdpr"].into_iter().chain(arguments.split_whitespace());
+    let arguments: Vec<String> = arguments.split_whitespace().map(str::to_owned).collect();
+    let words = std::iter::once("cdpr".to_owned()).chain(arguments.iter().cloned());
     let (mut stdout, mut stderr) = (Vec::new(), Vec::new());
     let exit = cdpr_cli::run(words.map(Into::into), &mut stdout, &mut stderr);
     let exit_code = (0..=u8::MAX).find(|&code| ExitCode::from(code) == exit).unwrap().into();
-    Run { exit_code, stdout: String::from_utf8(stdout).unwrap(), stderr: String::from_utf8(stderr).unwrap() }
+    let text = |bytes: Vec<u8>| String::from_utf8(bytes).unwrap();
+    Run { arguments, exit_code, stdout: text(stdout), stderr: text(stderr) }
 }
 
 /// Folder of the repository.
@@ -94,9 +98,11 @@ fn cdpr_in(folder: &Path, arguments: &str) -> Run {
 }
 
 fn run(command: &mut Command) -> Run {
+    let arguments = command.get_args().map(|word| word.to_string_lossy().into_owned()).collect();
     let output = command.output().unwrap();
     let text = |bytes: &[u8]| String::from_utf8(bytes.to_vec()).unwrap();
-    Run { exit_code: output.status.code().unwrap(), stdout: text(&output.stdout), stderr: text(&output.stderr) }
+    let exit_code = output.status.code().unwrap();
+    Run { arguments, exit_code, stdout: text(&output.stdout), stderr: text(&output.stderr) }
 }
 
 impl Run {
@@ -105,11 +111,12 @@ impl Run {
         self.stdout.split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
-    /// The one JSON object on stdout.
+    /// The one JSON object on stdout, all of which the schema of answers tells of.
     fn json(&self) -> Value {
         let value: Value =
             serde_json::from_str(&self.stdout).unwrap_or_else(|error| panic!("{error}: {}", self.stdout));
         assert!(value.is_object(), "{value}");
+        answer_schema::assert_fits(&self.arguments, &value);
         value
     }
 

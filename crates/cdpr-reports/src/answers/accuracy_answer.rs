@@ -8,6 +8,7 @@ use cdpr_study::Experiment;
 use cdpr_study::accuracy::{Accuracy, Assessment};
 use cdpr_study::branches::Branches;
 use cdpr_study::force_tracking::ForceTracking;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::error_table::{
@@ -20,7 +21,8 @@ use crate::number_format::cell;
 use crate::table::Table;
 
 /// Errors of a control model on a machine.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Accuracy")]
 pub struct AccuracyAnswer {
     status: &'static str,
     reason: Option<String>,
@@ -29,15 +31,20 @@ pub struct AccuracyAnswer {
     #[serde(flatten, with = "AccuracyKeys")]
     accuracy: Accuracy,
     winch_offsets_m: Vec<f64>,
+    /// Initial tensions by which the winches are set (N); null where they are set by lengths.
     #[serde(rename = "initial_tensions_N")]
     initial_tensions: Option<Vec<f64>>,
+    /// How well a model tells what emerged from the lengths that were sent, where one was named.
     #[serde(skip_serializing_if = "Option::is_none")]
     prediction: Option<Prediction>,
+    /// Path on which a machine with hysteresis comes to the poses.
     #[serde(with = "Maybe::<HistoryKeys>", skip_serializing_if = "Option::is_none")]
     history: Option<History>,
+    /// Distances between the ends of several ways to each pose, where they were asked for.
     #[serde(with = "Maybe::<BranchesKeys>", skip_serializing_if = "Option::is_none")]
     branches: Option<Branches>,
     seed: u64,
+    /// Errors beside those of the controller of another study.
     #[serde(skip_serializing_if = "Option::is_none")]
     difference: Option<DifferenceAnswer>,
     /// Comparison with the control model by which the winches were set, or with that of the other study.
@@ -50,8 +57,10 @@ pub struct AccuracyAnswer {
 }
 
 /// How well a model told from the lengths that were sent what emerged.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "LengthPrediction")]
 struct Prediction {
+    /// Effects of the model that predicts.
     model: String,
     #[serde(flatten, with = "ErrorBlockKeys")]
     blocks: ErrorBlocks,

@@ -5,13 +5,15 @@ use cdpr_model::reading::Keyword;
 use cdpr_study::advice::{Advice, Candidate, ParameterError};
 use cdpr_study::effects;
 use cdpr_workspace::Bounds;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::keys::adapters::keys;
 use crate::keys::{Each, PoseErrorKeys};
 
 /// Control models for a task, judged against a machine; keys and units as in JSON.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Advice")]
 pub struct AdviceAnswer {
     /// Outcome in a word.
     pub status: &'static str,
@@ -54,7 +56,7 @@ pub struct AdviceAnswer {
 }
 
 /// Numbers that differ from run to run.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct AdviceTiming {
     /// Mean time of one command of each candidate (ns), in their order.
     pub command_ns: Vec<f64>,
@@ -86,23 +88,63 @@ pub struct AdvisedModel {
 
 keys! {
     /// One effect.
-    EffectKeys of EffectAnswer {
-        effect, without.position_error.mean = "position_error_mean_m", without.position_error.max = "position_error_max_m",
-        without.rotation_error.max = "rotation_error_max_rad", without.tension_error = "tension_error_N", reached_share,
-        parameter_count, cost,
+    EffectKeys as "AdvisedEffect" of EffectAnswer {
+        /// Name of the effect.
+        effect,
+        /// Mean position error of the model without it (m).
+        without.position_error.mean = "position_error_mean_m",
+        /// Largest position error of the model without it (m).
+        without.position_error.max = "position_error_max_m",
+        /// Largest rotation error of the model without it (rad).
+        without.rotation_error.max = "rotation_error_max_rad",
+        /// Mean over poses of the 2-norm of the tension errors of the model without it (N); null where it commands no tensions.
+        without.tension_error = "tension_error_N",
+        /// Fraction of the poses that the model reaches.
+        reached_share,
+        /// Free parameters that the effect adds.
+        parameter_count,
+        /// What the effect costs, in words.
+        cost,
     }
     /// Errors of one kind of number, in its `unit`.
     ParameterErrorKeys of ParameterError {
-        side.name(), kind.to_string(), kind.unit() = "unit", position_rms = "position_rms_m_per_unit",
-        position_max = "position_max_m_per_unit", allowed = "sigma_alone",
+        /// Side under whose name the error counts.
+        side.name(),
+        /// Kind of the numbers.
+        kind.to_string(),
+        /// Unit of the kind; empty for a ratio.
+        kind.unit() = "unit",
+        /// Root mean square over the poses of the displacement of the platform by errors of one standard deviation in all numbers of the kind (m per unit).
+        position_rms = "position_rms_m_per_unit",
+        /// The same at the worst pose (m per unit).
+        position_max = "position_max_m_per_unit",
+        /// Standard deviation up to which two of them stay within the required accuracy if all else is exact, in the unit of the kind; null if the error without deviations uses up the accuracy.
+        allowed = "sigma_alone",
     }
     /// A control model.
     AdvisedModelKeys of AdvisedModel {
-        candidate.control.to_string() = "model", candidate.left_out = "left_out",
+        /// Effects of the control model.
+        candidate.control.to_string() = "model",
+        /// Effects of the machine that the model leaves out.
+        candidate.left_out = "left_out",
+        /// Distance between commanded and emerging position (m).
         candidate.position_error = "position_error_m" by PoseErrorKeys,
-        candidate.rotation_error = "rotation_error_rad" by PoseErrorKeys, candidate.tension_error = "tension_error_N",
-        candidate.answered = "answered_poses", candidate.reached = "reached_poses", reached_share,
-        share_within_tension_limits, candidate.parameter_count = "parameter_count", candidate.reason = "reason",
+        /// Angle between commanded and emerging orientation (rad).
+        candidate.rotation_error = "rotation_error_rad" by PoseErrorKeys,
+        /// Mean over poses of the 2-norm of the tension errors (N); null where the model commands no tensions.
+        candidate.tension_error = "tension_error_N",
+        /// Poses at which the machine comes to rest.
+        candidate.answered = "answered_poses",
+        /// Poses that are reached with the required accuracy.
+        candidate.reached = "reached_poses",
+        /// Fraction of the poses that the model reaches.
+        reached_share,
+        /// Fraction of the poses with all tensions within their limits; null where there are none.
+        share_within_tension_limits,
+        /// Free parameters of the model.
+        candidate.parameter_count = "parameter_count",
+        /// Reason why poses have no answer.
+        candidate.reason = "reason",
     }
 }
 

@@ -3,6 +3,7 @@
 use cdpr_model::robot::{PublishedErrors, Robot};
 use cdpr_study::benchmark::{Benchmark, BenchmarkErrors, BenchmarkRow, BenchmarkRules};
 use minijinja::{Value, context};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::Answer;
@@ -15,7 +16,8 @@ use crate::table::Table;
 const TEMPLATE: &str = include_str!("benchmark.html");
 
 /// The benchmark.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Benchmark")]
 pub struct BenchmarkAnswer {
     status: &'static str,
     reason: Option<String>,

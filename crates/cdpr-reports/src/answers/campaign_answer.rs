@@ -5,6 +5,7 @@ use cdpr_study::Experiment;
 use cdpr_study::accuracy::Accuracy;
 use cdpr_study::campaign::{Campaign, CampaignStatus, Round};
 use minijinja::{Value, context};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::{Answer, title};
@@ -17,7 +18,8 @@ use crate::table::Table;
 const TEMPLATE: &str = include_str!("campaign.html");
 
 /// Rounds of a campaign.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Campaign")]
 pub struct CampaignAnswer {
     #[serde(with = "Word")]
     status: CampaignStatus,
@@ -25,11 +27,13 @@ pub struct CampaignAnswer {
     control: String,
     machine: String,
     seed: u64,
+    /// Accuracy at which the campaign ends (m); null without one.
     accuracy_m: Option<f64>,
     /// Poses of the study.
     candidates: usize,
     /// The first controller.
     nominal: Nominal,
+    /// Rounds so far.
     #[serde(with = "Each::<RoundKeys>")]
     rounds: Vec<Round>,
     /// Poses that the campaign waits for.
@@ -39,10 +43,13 @@ pub struct CampaignAnswer {
 }
 
 /// The controller before the first round.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "CampaignStart")]
 struct Nominal {
+    /// Errors with which it drives the machine; null if records come from files.
     #[serde(with = "Maybe::<AccuracyKeys>")]
     driven: Option<Accuracy>,
+    /// Fraction of the poses that it reaches.
     reach_share: f64,
 }
 

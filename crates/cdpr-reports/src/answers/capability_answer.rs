@@ -3,16 +3,19 @@
 use cdpr_model::geometry::Pose;
 use cdpr_model::robot::Robot;
 use cdpr_workspace::capability::{Found, LimitedBy, Quantity, Solution, Status};
+use schemars::JsonSchema;
 use serde::Serialize;
 use serde_json::{Value, json};
 
+use super::capability_schema::{AccelerationDetails, AccelerationValues, CapabilityDetail, PoseNotHeld};
 use super::capability_words::{AskedCapability, COLUMNS, limit_words, name_of, point_words, row_of};
 use super::{Answer, PoseAnswer, axis_names, components, title};
 use crate::number_format::{short, significant};
 use crate::table::Table;
 
 /// The answer; keys and units as in JSON.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Capability")]
 pub struct CapabilityAnswer {
     robot: String,
     status: &'static str,
@@ -20,28 +23,41 @@ pub struct CapabilityAnswer {
     model: String,
     /// Box, ends along each axis of the robot.
     box_m: Vec<f64>,
+    /// Distance of the payload's centre of mass below the platform origin (m).
     #[serde(rename = "payload_place_m")]
     payload_place: f64,
     /// Gap that was asked for.
     gap_wanted: f64,
     /// Poses that were judged.
     poses: u64,
+    /// Mass that is carried everywhere in the box (kg); null where there is none.
     #[serde(rename = "payload_kg")]
     payload: Option<f64>,
+    /// Accelerations that are possible everywhere in the box (m/s²).
     #[serde(rename = "acceleration_m_s2")]
+    #[schemars(with = "AccelerationValues")]
     acceleration: Accelerations<Option<f64>>,
+    /// Speed that is possible everywhere in the box (m/s); null where there is none.
     #[serde(rename = "speed_m_s")]
     speed: Option<f64>,
+    /// How the payload was found, or why there is none.
     #[serde(rename = "payload")]
+    #[schemars(with = "CapabilityDetail")]
     payload_detail: Value,
+    /// How the accelerations were found, or why there are none.
     #[serde(rename = "acceleration")]
+    #[schemars(with = "AccelerationDetails")]
     acceleration_detail: Accelerations<Value>,
+    /// How the speed was found, or why there is none.
     #[serde(rename = "speed")]
+    #[schemars(with = "CapabilityDetail")]
     speed_detail: Value,
     /// Pose at which the own load is not held.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<PoseNotHeld>")]
     not_held: Option<Value>,
     warnings: Vec<String>,
+    /// Page that was written.
     #[serde(skip_serializing_if = "Option::is_none")]
     report: Option<String>,
     #[serde(skip)]

@@ -4,6 +4,7 @@ use cdpr_study::Experiment;
 use cdpr_study::chain::{Chain, ChainStep};
 use cdpr_study::study::PublishedStage;
 use minijinja::{Value, context};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::tracking_answer::TrackingAnswer;
@@ -11,6 +12,7 @@ use super::{Answer, title};
 use crate::figures::{ErrorPanel, ErrorRows, Figure};
 use crate::html_page::{Page, PageError, PageKind, plain, prose};
 use crate::keys::adapters::keys;
+use crate::keys::adapters::nullable_numbers;
 use crate::keys::{ChainStepKeys, Maybe};
 use crate::number_format::{NONE, short, significant};
 use crate::table::Table;
@@ -18,30 +20,40 @@ use crate::table::Table;
 const TEMPLATE: &str = include_str!("chain.html");
 
 /// All stages of the chain.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Chain")]
 pub struct ChainAnswer {
     status: &'static str,
     control: String,
     machine: String,
+    /// Effects of the model that predicts poses; null where none was named.
     prediction: Option<String>,
     seed: u64,
+    /// Ends of the poses along each axis (m).
     region_m: Vec<[f64; 2]>,
+    /// Stages in their order.
     steps: Vec<StepAnswer>,
+    /// Least and largest change of an anchor coordinate by the first identification (m).
     first_change_m: [f64; 2],
+    /// Least and largest change of an anchor coordinate by the second identification (m).
     second_change_m: [f64; 2],
+    /// Errors before stages divided by those after them.
     ratios: Vec<Ratio>,
     /// Force control by the identified elastostatic model beside that by the nominal one.
     #[serde(skip_serializing_if = "Option::is_none")]
     force_tracking: Option<TrackingAnswer>,
+    /// Poses that are left out, in words.
     left_out: Vec<String>,
     /// The caution about force tracking; remarks follow it.
     warnings: Vec<String>,
+    /// Page that was written.
     #[serde(skip_serializing_if = "Option::is_none")]
     report: Option<String>,
 }
 
 /// A stage beside its published errors.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "ChainStage")]
 struct StepAnswer {
     #[serde(flatten, with = "ChainStepKeys")]
     step: ChainStep,
@@ -52,16 +64,31 @@ struct StepAnswer {
 
 keys! {
     /// Errors that a study quotes of a stage.
-    PublishedKeys of PublishedStage { position_mean_m, rotation_mean_rad, length_mean_abs_m, tension_mean_norm_N }
+    PublishedKeys of PublishedStage {
+        /// Mean position error (m).
+        position_mean_m,
+        /// Mean rotation error (rad).
+        rotation_mean_rad,
+        /// Mean magnitude of the length errors (m).
+        length_mean_abs_m,
+        /// Mean over poses of the 2-norm of the tension errors (N).
+        tension_mean_norm_N,
+    }
 }
 
 /// Errors before a stage divided by those after it.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "ChainRatio", transform = nullable_numbers)]
 struct Ratio {
+    /// Stage before.
     before: &'static str,
+    /// Stage after.
     after: &'static str,
+    /// Ratio of the mean position errors.
     position: f64,
+    /// Ratio of the mean rotation errors.
     rotation: f64,
+    /// Ratio of the mean tension errors; null where a stage has none.
     tension: Option<f64>,
 }
 

@@ -9,6 +9,7 @@ use cdpr_model::statics::Load;
 use cdpr_model::tension::Limits;
 use cdpr_model::tension::quadratic::{self, Status};
 use nalgebra::DMatrix;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::missing_effects::{self, MissingEffect, missing_effects};
@@ -16,7 +17,8 @@ use super::{Answer, PoseAnswer, assumed_numbers, inertia_doubt};
 use crate::keys::FoundKeys;
 
 /// Facts, models and oddities of a robot at its home pose.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "RobotCheck")]
 pub struct CheckAnswer {
     robot: String,
     /// `checked`, or `singular` for a home pose that the cables do not hold.
@@ -25,9 +27,12 @@ pub struct CheckAnswer {
     name: String,
     title: Option<String>,
     motion_pattern: &'static str,
+    /// Number of degrees of freedom.
     degrees_of_freedom: usize,
     cable_count: usize,
+    /// The home pose, and what the cables can do there.
     home: Home,
+    /// Models that `--model` can name for this file.
     models: Models,
     /// Numbers of the file that no source states and nobody measured.
     assumptions: Vec<Assumption>,
@@ -37,21 +42,29 @@ pub struct CheckAnswer {
 }
 
 /// Models that `--model` can name for this file.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "SupportedModels")]
 struct Models {
     /// As many effects as the file supports at once.
     richest: String,
     /// All effects that it supports, also those that exclude each other.
     effects: Vec<&'static str>,
+    /// Effects that the file does not support.
     missing: Vec<MissingEffect>,
 }
 
-#[derive(Serialize)]
+/// Home pose, and what the cables can do there.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "HomePose")]
 struct Home {
     pose: PoseAnswer,
+    /// Rank of the structure matrix; null where a cable has no unique path.
     rank: Option<usize>,
+    /// Condition of the structure matrix, moments divided by a length; null below full rank.
     condition: Option<f64>,
+    /// True where tensions within the limits hold the load; null where this is not known.
     feasible: Option<bool>,
+    /// The same in words.
     feasible_note: String,
 }
 

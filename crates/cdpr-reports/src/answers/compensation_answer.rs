@@ -5,6 +5,7 @@ use cdpr_calibration::selection::Warnings;
 use cdpr_model::compensation::Extent;
 use cdpr_model::geometry::MotionPattern;
 use cdpr_model::model::Model;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::error_table::{Source, error_table};
@@ -13,7 +14,8 @@ use crate::keys::{Each, ExtentKeys, JudgedMapKeys};
 use crate::number_format::significant;
 
 /// A map in short.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Compensation")]
 pub struct CompensationAnswer {
     robot: String,
     model: String,
@@ -40,10 +42,11 @@ pub struct CompensationAnswer {
 }
 
 /// Reach of the samples of a map.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct MapRegion {
     /// Pose about which coordinates count.
     centre: PoseAnswer,
+    /// Ranges of the coordinates.
     #[serde(with = "Each::<ExtentKeys>")]
     coordinates: Vec<Extent>,
 }

@@ -2,6 +2,7 @@
 
 use cdpr_calibration::CourseStep;
 use cdpr_calibration::fit::Estimate;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::uncertainty_answer::shown;
@@ -12,8 +13,9 @@ use crate::report::Addition;
 use crate::table::Table;
 
 /// Steps of a fit with the parameters that they move.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 #[serde(transparent)]
+#[schemars(rename = "FitCourse")]
 pub struct CourseAnswer {
     #[serde(with = "Each::<CourseStepKeys>")]
     steps: Vec<CourseStep>,

@@ -5,6 +5,7 @@ use cdpr_model::geometry::MotionPattern;
 use cdpr_study::Experiment;
 use cdpr_study::difference::{Difference, ErrorChange};
 use cdpr_study::force_tracking::ForceTracking;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::tracking_answer::TrackingAnswer;
@@ -16,7 +17,8 @@ use crate::study_page::{SAME_HEIGHT, levels};
 use crate::table::Table;
 
 /// Errors of a controller beside those of another on the same machine.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "ControllerDifference")]
 pub struct DifferenceAnswer {
     /// Name of the other study.
     against: String,

@@ -5,6 +5,7 @@ use cdpr_model::model::Model;
 use cdpr_model::robot::{Assumption, Body, Robot};
 use cdpr_model::statics::{Load, StaticsError, balanced_wrench};
 use cdpr_plant::{Inertia, Plant, PlantError, assumptions_under_tensions};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::modes_answer::rows;
@@ -14,7 +15,8 @@ use crate::number_format::{cell, significant};
 use crate::table::Table;
 
 /// Mass matrix, bias, and acceleration or the wrench and tensions that it takes.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Dynamics")]
 pub struct DynamicsAnswer {
     robot: String,
     model: String,
@@ -32,8 +34,11 @@ pub struct DynamicsAnswer {
     angular_velocity_rad_s: Option<AngularRate>,
     /// M (kg, kg·m, kg·m²) and n (N, N·m) of M \[v̇; ω̇\] + n = wrench.
     mass_matrix: Vec<Vec<f64>>,
+    /// Wrench at no acceleration: gyroscopic forces minus the load.
     bias: WrenchAnswer,
+    /// Acceleration of the platform origin (m/s²).
     acceleration_m_s2: Vec<f64>,
+    /// Angular acceleration (rad/s²).
     #[serde(skip_serializing_if = "Option::is_none")]
     angular_acceleration_rad_s2: Option<AngularRate>,
     /// Wrench of the cables on the platform.

@@ -4,6 +4,7 @@ use cdpr_model::geometry::Pose;
 use cdpr_model::model::{Model, Supported};
 use cdpr_model::robot::Robot;
 use cdpr_study::effects::{Contribution, Displacement, DisplacementMethod, cost, largest, parameter_count};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::missing_effects::{self, MissingEffect, missing_effects};
@@ -13,7 +14,8 @@ use crate::number_format::cell;
 use crate::table::Table;
 
 /// Effects of a model at a pose.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "ModelEffects")]
 pub struct EffectsAnswer {
     robot: String,
     /// Every effect at once that the file supports.
@@ -24,35 +26,51 @@ pub struct EffectsAnswer {
     pose: PoseAnswer,
     #[serde(rename = "tensions_N")]
     tensions: Option<Vec<f64>>,
+    /// Effects of the model, one by one.
     effects: Vec<EffectAnswer>,
     /// Effects that the file does not support.
     missing: Vec<MissingEffect>,
 }
 
 /// One effect; what cannot be told is null, with its reason among the `reasons`.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "ModelEffect")]
 struct EffectAnswer {
+    /// Name of the effect.
     effect: &'static str,
     /// The effect that the control model has instead; null where it has none.
     replaced_by: Option<&'static str>,
+    /// Model without the effect, by which the lengths are commanded.
     control_model: String,
+    /// Change of the cable lengths by the effect (m).
     length_change_m: Option<LengthChange>,
+    /// Largest change of a tension (N).
     #[serde(rename = "tension_change_N")]
     tension_change: Option<f64>,
+    /// Displacement of the platform where a controller leaves the effect out.
     #[serde(with = "Maybe::<DisplacementKeys>")]
     platform: Option<Displacement>,
+    /// Change of the cable lengths less that at the home pose, where winches are set (m).
     length_change_beyond_home_m: Option<LengthChange>,
+    /// Displacement where winches are set at the home pose.
     #[serde(with = "Maybe::<DisplacementKeys>")]
     platform_beyond_home: Option<Displacement>,
+    /// Number of parameters that the effect adds.
     parameter_count: usize,
+    /// What the effect costs, in words.
     cost: &'static str,
+    /// Reasons why something cannot be told.
     reasons: Vec<String>,
 }
 
-#[derive(Serialize)]
+/// Change of cable lengths (m).
+#[derive(Serialize, JsonSchema)]
 struct LengthChange {
+    /// Largest magnitude (m).
     max: f64,
+    /// Root mean square (m).
     rms: f64,
+    /// Change of each cable (m).
     cables: Vec<f64>,
 }
 

@@ -8,6 +8,7 @@ use cdpr_model::compensation::Beyond;
 use cdpr_model::geometry::MotionPattern;
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::error_table::{Source, error_table};
@@ -16,7 +17,8 @@ use super::{Answer, axis_names, beyond_words, components};
 use crate::keys::{BeyondKeys, ErrorBlockKeys, WarningKeys};
 
 /// Errors of a model on measurements, in short.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Evaluation")]
 pub struct EvaluationAnswer {
     robot: String,
     model: String,
@@ -35,18 +37,21 @@ pub struct EvaluationAnswer {
     /// Map that corrects the lengths.
     #[serde(skip_serializing_if = "Option::is_none")]
     compensation: Option<UsedMap>,
+    /// File of the errors sample by sample.
     #[serde(skip_serializing_if = "Option::is_none")]
     out_errors: Option<String>,
     /// Doubts about the data, then rules of plausibility that the errors break.
     #[serde(flatten, with = "WarningKeys")]
+    #[schemars(with = "WarningKeys")]
     warnings: Warnings,
     #[serde(skip)]
     pattern: MotionPattern,
 }
 
 /// Map that corrects lengths.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct UsedMap {
+    /// File of the map.
     file: String,
     /// Samples beyond those of the map, at which the model stands alone, and in the margin around them.
     #[serde(flatten, with = "BeyondKeys")]

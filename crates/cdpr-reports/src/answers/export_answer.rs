@@ -2,15 +2,18 @@
 
 use cdpr_model::measurement::Samples;
 use cdpr_model::model::Model;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::Answer;
 
 /// Configuration of a firmware.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Firmware")]
 pub struct FirmwareAnswer {
     status: &'static str,
     robot: String,
+    /// Lines of the configuration.
     lines: Vec<String>,
     #[serde(skip_serializing_if = "Option::is_none")]
     out: Option<String>,
@@ -37,7 +40,8 @@ impl Answer for FirmwareAnswer {
 }
 
 /// Table of lengths for a controller.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "LengthTable")]
 pub struct TableAnswer {
     status: &'static str,
     robot: String,
@@ -45,7 +49,9 @@ pub struct TableAnswer {
     /// Map that corrects the lengths.
     #[serde(skip_serializing_if = "Option::is_none")]
     compensation: Option<String>,
+    /// Number of poses.
     poses: usize,
+    /// Lengths of the cables pose by pose (m).
     cable_lengths_m: Vec<Vec<f64>>,
     #[serde(skip_serializing_if = "Option::is_none")]
     out: Option<String>,
@@ -88,19 +94,23 @@ impl Answer for TableAnswer {
 }
 
 /// Figures of a result.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "ExportedFigures")]
 pub struct ExportAnswer {
     status: &'static str,
     reason: Option<String>,
+    /// File of the result.
     result: String,
+    /// Candidate that the figures show; null where there is none to choose.
     candidate: Option<String>,
     out: String,
     files: Vec<String>,
+    /// Figures that the result has no numbers for.
     skipped: Vec<SkippedFigure>,
 }
 
 /// A figure that the result has no numbers for.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct SkippedFigure {
     /// Its file.
     pub figure: &'static str,

@@ -5,6 +5,7 @@ use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 use cdpr_model::statics::Stability;
 use cdpr_model::tension::Intervals;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::stiffness_answer::word;
@@ -35,35 +36,44 @@ fn stability(status: Status) -> Option<&'static str> {
 }
 
 /// A pose elsewhere that fits the lengths better.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
+#[schemars(rename = "AlternativePose")]
 struct AlternativeAnswer {
     pose: PoseAnswer,
+    /// Root mean square of the length residuals there (m).
     residual_rms_m: f64,
 }
 
 /// A pose behind lengths or tensions.
-#[derive(Debug, Serialize)]
+#[derive(Debug, Serialize, JsonSchema)]
 #[expect(non_snake_case, reason = "the fields are the keys of the contract, units included")]
+#[schemars(rename = "ForwardKinematics")]
 pub struct ForwardAnswer {
     robot: String,
     model: String,
     #[serde(with = "Word")]
     status: Status,
     reason: Option<String>,
+    /// Start of the search.
     #[serde(with = "Word")]
     sought_from: Start,
     pose: PoseAnswer,
     /// A better fit elsewhere than the pose that belongs to the start of the search.
     #[serde(skip_serializing_if = "Option::is_none")]
     alternative: Option<AlternativeAnswer>,
+    /// Modelled minus given lengths (m).
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<Vec<Option<f64>>>")]
     residuals_m: Option<Vec<f64>>,
+    /// Root mean square of the residuals (m).
     #[serde(skip_serializing_if = "Option::is_none")]
     residual_rms_m: Option<f64>,
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<Vec<Option<f64>>>")]
     tensions_N: Option<Vec<f64>>,
     /// Least and largest tension of each rigid cable where statics leaves a choice; null where nothing bounds it.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<Vec<[Option<f64>; 2]>>")]
     tension_intervals_N: Option<Vec<[f64; 2]>>,
     /// Size of the wrench that is out of balance, moments divided by the platform radius.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -74,7 +84,9 @@ pub struct ForwardAnswer {
     /// `stable`, `indifferent`, `unstable`: of an equilibrium.
     #[serde(skip_serializing_if = "Option::is_none")]
     stability: Option<&'static str>,
+    /// Steps of the search.
     iterations: u32,
+    /// Searches from other starts.
     restarts: u32,
     #[serde(skip)]
     cable_names: Vec<String>,

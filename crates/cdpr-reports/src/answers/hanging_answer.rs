@@ -1,16 +1,19 @@
 //! Poses at which a platform hangs at a position.
 
+use crate::keys::adapters::nullable_numbers;
 use cdpr_model::equilibrium::hanging::{Hanging, HangingPoses};
 use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 use cdpr_model::statics::Stability;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::answer::Answer;
 use super::pose_answer::PoseAnswer;
 
 /// Pose in equilibrium with lengths and tensions.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(transform = nullable_numbers)]
 pub(super) struct HangingPose {
     pose: PoseAnswer,
     cable_lengths_m: Vec<f64>,
@@ -24,8 +27,9 @@ pub(super) struct HangingPose {
 }
 
 /// All poses at which the platform hangs at a position, stable ones first.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub(super) struct HangingKeys {
+    /// Poses in equilibrium, stable ones first.
     solutions: Vec<HangingPose>,
     /// Dimensions of the family of poses that the position leaves; 0 where they are single.
     freedom: usize,
@@ -79,12 +83,14 @@ fn word(stability: Stability) -> &'static str {
 }
 
 /// Answer where no orientation lets the platform hang at a position.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
+#[schemars(rename = "NoHangingPose")]
 pub struct NoHangingAnswer {
     robot: String,
     model: String,
     status: &'static str,
     reason: String,
+    /// Position that was asked about (m).
     position_m: Vec<f64>,
     #[serde(flatten)]
     poses: HangingKeys,

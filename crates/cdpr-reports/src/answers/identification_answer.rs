@@ -8,6 +8,7 @@ use cdpr_model::geometry::MotionPattern;
 use cdpr_model::model::Model;
 use cdpr_model::robot::Robot;
 use cdpr_study::Identification;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::UncertaintyAnswer;
@@ -22,13 +23,15 @@ use crate::keys::{ErrorBlockKeys, IdentificationKeys, WarningKeys};
 use crate::report::Addition;
 
 /// Parameters of a model with errors before and after.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Identification")]
 pub struct IdentificationAnswer {
     pub(super) robot: String,
     pub(super) model: String,
     #[serde(flatten)]
     pub(super) told: Told,
     pub(super) status: &'static str,
+    /// False where nobody should work with the parameters; the warnings say why.
     pub(super) trusted: bool,
     #[serde(skip)]
     pub(super) verdict: Verdict,
@@ -39,14 +42,17 @@ pub struct IdentificationAnswer {
     /// Errors of the calibrated model on the samples of the fit, as `train`.
     #[serde(with = "ErrorBlockKeys")]
     pub(super) predicted: ErrorBlocks,
+    /// Steps of the fit, where they are asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) course: Option<CourseAnswer>,
     #[serde(flatten)]
     pub(super) uncertainty: UncertaintyAnswer,
     #[serde(flatten)]
     pub(super) path: Option<PathAnswer>,
+    /// Smaller model that the data show, where it is asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) reduction: Option<ReductionAnswer>,
+    /// Condition of the Jacobian and scales of the parameters, where they are asked for.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) scaling: Option<ScalingAnswer>,
     #[serde(skip)]
@@ -63,7 +69,7 @@ pub struct IdentificationAnswer {
 }
 
 /// Names of an identification's data, parameters and file, and what the reader is warned of.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct Told {
     /// Free parameters.
     pub free: String,
@@ -74,6 +80,7 @@ pub struct Told {
     pub validation_data: Option<String>,
     /// Warnings, doubts about the outcome first; of data before the answer adds its own.
     #[serde(flatten, with = "WarningKeys")]
+    #[schemars(with = "WarningKeys")]
     pub warnings: Warnings,
     /// Name of the calibrated robot's file.
     #[serde(skip_serializing_if = "Option::is_none")]

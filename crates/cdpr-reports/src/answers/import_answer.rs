@@ -2,17 +2,20 @@
 
 use cdpr_model::robot::Cable;
 use cdpr_model::robot::caspr::{Finding, Import, Loss};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::Answer;
 use crate::keys::{Each, FindingKeys};
 
 /// Robot of another program's model, with what was taken and what was not.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "ImportedRobot")]
 pub struct ImportAnswer {
     robot: String,
     motion_pattern: &'static str,
     out: String,
+    /// Parts of the model that were taken.
     taken: Taken,
     /// Forces and parts that act in CASPR and are not in the robot.
     #[serde(with = "Each::<FindingKeys>")]
@@ -23,14 +26,23 @@ pub struct ImportAnswer {
     warnings: Vec<String>,
 }
 
-#[derive(Serialize)]
+/// Parts of another program's model that were taken.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "TakenParts")]
 struct Taken {
+    /// Name of the platform's link.
     link: String,
+    /// Kind of the joint.
     joint: String,
+    /// Set of cables that was taken.
     cable_set: String,
+    /// Sets of cables of the model.
     cable_sets: Vec<String>,
+    /// Names of the cables.
     cables: Vec<String>,
+    /// Number of cables with a pulley.
     pulleys: usize,
+    /// Number of cables with a stiffness.
     elastic_cables: usize,
 }
 

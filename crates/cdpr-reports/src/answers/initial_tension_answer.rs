@@ -2,10 +2,12 @@
 
 use cdpr_model::control::initial_tension::{Approach, Fit, Move, Optimum, Stage};
 use cdpr_study::Experiment;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::{Answer, Size};
 use crate::keys::adapters::keys;
+use crate::keys::table_schema::ReachableSize;
 use crate::keys::{Each, FromOne};
 use crate::number_format::cell;
 use crate::table::Table;
@@ -21,20 +23,25 @@ pub struct WinchState {
 }
 
 /// Initial tensions for poses, and the way to them.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "InitialTensions")]
 pub struct InitialTensionAnswer {
     status: &'static str,
     reason: Option<String>,
+    /// Number of poses.
     poses: usize,
     #[serde(flatten, with = "InitialTensionKeys")]
     best: Optimum,
     /// Reason that the first pose without a target has none.
     #[serde(skip_serializing_if = "Option::is_none")]
     no_target: Option<String>,
+    /// State with the winches as the study sets them.
     #[serde(with = "WinchStateKeys")]
     before: WinchState,
+    /// State with the winches as found.
     #[serde(with = "WinchStateKeys")]
     after: WinchState,
+    /// Way from the one state to the other.
     #[serde(with = "ApproachKeys")]
     approach: Approach,
     /// Names of the cables.
@@ -45,24 +52,70 @@ pub struct InitialTensionAnswer {
 keys! {
     /// Initial tensions that follow a target best; cables and poses from 1.
     InitialTensionKeys of Optimum {
-        tensions = "initial_tensions_N", offsets = "winch_offsets_m", at_limits by FromOne, iterations, starts,
-        agreeing = "starts_agreeing", fit.without_target = "poses_without_target" by FromOne,
+        /// Initial tensions of the cables (N).
+        tensions = "initial_tensions_N",
+        /// Winch offsets, added to the control model's lengths (m).
+        offsets = "winch_offsets_m",
+        /// Cables, from 1, with an initial tension at a limit.
+        at_limits by Each<FromOne>,
+        /// Steps taken from the best start.
+        iterations,
+        /// Number of starts of the search.
+        starts,
+        /// Number of starts that led to these tensions.
+        agreeing = "starts_agreeing",
+        /// Poses, from 1, that have no target.
+        fit.without_target = "poses_without_target" by Each<FromOne>,
     }
     /// State of the winches.
     WinchStateKeys of WinchState {
-        fit.largest = "largest_N", fit.poses = "poses", fit.outside = "poses_outside_limits",
-        fit.without_rest = "poses_without_rest" by FromOne, reached among Size, fit.rms = "rms_N",
+        /// Largest distance of a tension from its target at a pose (N).
+        fit.largest = "largest_N",
+        /// Poses that the distances are of.
+        fit.poses = "poses",
+        /// Poses with a tension outside its limits.
+        fit.outside = "poses_outside_limits",
+        /// Poses, from 1, at which the machine does not come to rest.
+        fit.without_rest = "poses_without_rest" by Each<FromOne>,
+        reached among ReachableSize,
+        /// Root mean square of the distances of the tensions from their targets (N).
+        fit.rms = "rms_N",
+        /// Winch offsets, added to the control model's lengths (m).
         offsets = "winch_offsets_m",
     }
     /// Way to initial tensions, stage by stage.
     ApproachKeys of Approach {
-        largest_displacement = "largest_displacement_m", order by FromOne, stages by Each<StageKeys>,
-        tensions[1] = "tension_max_N", tensions[0] = "tension_min_N", unanswered = "unanswered_moves",
+        /// Largest distance of the platform from the initial pose meanwhile (m).
+        largest_displacement = "largest_displacement_m",
+        /// Cables, from 1, in the order in which a stage moves them: those that pay out first, so that no tension rises earlier than necessary.
+        order by Each<FromOne>,
+        /// The state to be set first, then the stages in their order.
+        stages by Each<StageKeys>,
+        /// Largest tension of any cable while the cables move one after the other (N).
+        tensions[1] = "tension_max_N",
+        /// Least tension of any cable while the cables move one after the other (N).
+        tensions[0] = "tension_min_N",
+        /// Number of moves after which the machine does not come to rest.
+        unanswered = "unanswered_moves",
     }
     /// Stage of the way.
-    StageKeys of Stage { moves by Each<MoveKeys>, tensions = "tensions_N", offsets = "winch_offsets_m" }
+    StageKeys of Stage {
+        /// Moves of the winches that lead here, one at a time; empty at the start.
+        moves by Each<MoveKeys>,
+        /// Readings of the force sensors at rest (N).
+        tensions = "tensions_N",
+        /// Winch offsets, added to the control model's lengths (m).
+        offsets = "winch_offsets_m",
+    }
     /// Turn of a winch.
-    MoveKeys of Move { by = "by_m", cable by FromOne, tensions = "tensions_N" }
+    MoveKeys of Move {
+        /// Length that is paid out (m; negative if wound in).
+        by = "by_m",
+        /// Cable, from 1.
+        cable by FromOne,
+        /// Tensions that emerge (N); null if the machine does not come to rest.
+        tensions = "tensions_N",
+    }
 }
 
 impl InitialTensionAnswer {

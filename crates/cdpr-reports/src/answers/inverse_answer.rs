@@ -8,6 +8,7 @@ use cdpr_model::model::Model;
 use cdpr_model::robot::Cable;
 use cdpr_model::statics::StaticsError;
 use nalgebra::Vector3;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::hanging_answer::HangingKeys;
@@ -17,20 +18,27 @@ use crate::number_format::cell;
 use crate::table::Table;
 
 /// Lengths and directions of all cables. Entries are null where a cable has no unique path, controlled lengths also where no tensions balance the load.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "InverseKinematics")]
 pub struct InverseAnswer {
     robot: String,
     model: String,
     status: &'static str,
     reason: Option<String>,
     pose: PoseAnswer,
+    /// Lengths of the cables (m).
     cable_lengths_m: Vec<Option<f64>>,
+    /// Lengths that the winches set, without strain (m).
     controlled_lengths_m: Vec<Option<f64>>,
+    /// Unit vectors along the cables, away from the platform.
     directions: Vec<Option<Vec<f64>>>,
+    /// Angles by which the cables wrap their pulleys (rad).
     #[serde(skip_serializing_if = "Option::is_none")]
     wrap_angles_rad: Option<Vec<Option<f64>>>,
+    /// Lengths as the robot records them (m).
     #[serde(skip_serializing_if = "Option::is_none")]
     recorded_lengths_m: Option<Vec<Option<f64>>>,
+    /// Angles of the motors (rad).
     #[serde(skip_serializing_if = "Option::is_none")]
     motor_angles_rad: Option<Vec<Option<f64>>>,
     /// Null where the file does not say how its encoder counts.
@@ -50,6 +58,7 @@ pub struct InverseAnswer {
     /// At the platform anchors, where they differ from those at the outlets.
     #[serde(rename = "platform_tensions_N", skip_serializing_if = "Option::is_none")]
     platform_tensions: Option<Vec<f64>>,
+    /// Derivatives of the cables' lengths and paths.
     jacobians: Jacobians,
     #[serde(flatten)]
     hanging: Option<HangingKeys>,

@@ -6,6 +6,7 @@ use cdpr_model::cable::outlet::Contact;
 use cdpr_model::geometry::{MotionPattern, Pose, Twist};
 use cdpr_model::model::Model;
 use nalgebra::{Matrix3, Vector3};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::number_format::cell;
@@ -14,8 +15,9 @@ use crate::table::Table;
 type Rows = Vec<Vec<f64>>;
 
 /// Columns are the degrees of freedom: displacements and turns about world axes, of a planar robot in its plane.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub(super) struct Jacobians {
+    /// Names of the degrees of freedom, the columns.
     degrees_of_freedom: Vec<String>,
     /// `None` for platforms whose turns are their angles.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -28,26 +30,37 @@ pub(super) struct Jacobians {
 }
 
 /// J_P, from the rates of the angles rx, ry, rz to the angular velocity.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct AngleJacobian {
+    /// The matrix, row by row.
     matrix: Rows,
     /// Null at gimbal lock.
     inverse: Option<Rows>,
+    /// Reason why there is no inverse.
     #[serde(skip_serializing_if = "Option::is_none")]
     reason: Option<&'static str>,
 }
 
-#[derive(Serialize)]
+/// Derivatives of a cable; columns are the degrees of freedom.
+#[derive(Serialize, JsonSchema)]
 struct CableJacobians {
+    /// Length from pulley to platform (m).
     free_length_m: f64,
+    /// Length on the pulley (m).
     arc_length_m: f64,
+    /// Point at which the cable leaves the pulley (m).
     contact_point_m: Vec<f64>,
     /// Of the whole length: minus the column of the structure matrix.
     length: Vec<f64>,
+    /// Of the length from pulley to platform.
     free_length: Vec<f64>,
+    /// Of the length on the pulley.
     arc_length: Vec<f64>,
+    /// Of the point at which the cable leaves the pulley, row by row.
     contact_point: Rows,
+    /// Of the anchor on the platform, row by row.
     platform_anchor: Rows,
+    /// Of the vector from platform to pulley, row by row.
     cable_vector: Rows,
 }
 

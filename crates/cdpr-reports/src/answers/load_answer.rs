@@ -3,6 +3,7 @@
 use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 use cdpr_model::statics::{StaticsError, TensionSplit, balanced_wrench, section_wrench, split};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::{Answer, PoseAnswer, WrenchAnswer, has_no_path};
@@ -10,7 +11,8 @@ use crate::number_format::cell;
 use crate::table::Table;
 
 /// Load behind tensions.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "PlatformLoad")]
 pub struct LoadAnswer {
     robot: String,
     model: String,
@@ -26,22 +28,30 @@ pub struct LoadAnswer {
 }
 
 /// Null where a cable has no unique path.
-#[derive(Default, Serialize)]
+#[derive(Default, Serialize, JsonSchema)]
 struct Statics {
     #[serde(flatten)]
     wrench: WrenchAnswer,
+    /// Part of the tensions that makes no wrench (N).
     #[serde(rename = "internal_N")]
     internal: Option<Vec<f64>>,
+    /// Part of the tensions that makes the wrench (N).
     #[serde(rename = "external_N")]
     external: Option<Vec<f64>>,
+    /// Rank of the structure matrix.
     rank: Option<usize>,
+    /// Wrenches of the sections of the cables, where there are several.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     sections: Vec<Section>,
 }
 
-#[derive(Serialize)]
+/// Wrench of some of the cables.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "LoadSection")]
 struct Section {
+    /// Name of the section.
     name: String,
+    /// Cables of the section, from 1.
     cables: Vec<usize>,
     #[serde(flatten)]
     wrench: WrenchAnswer,

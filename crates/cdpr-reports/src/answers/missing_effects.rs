@@ -1,12 +1,15 @@
 //! Effects that a robot's file does not support.
 
 use cdpr_model::model::{ModelError, Supported};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 /// An effect, and the key that the file lacks for it.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub(super) struct MissingEffect {
+    /// Name of the effect.
     effect: &'static str,
+    /// Reason why it is not supported.
     reason: String,
     /// Key that the file lacks.
     #[serde(skip)]

@@ -9,6 +9,7 @@ mod benchmark_answer;
 mod campaign_answer;
 mod capability_answer;
 mod capability_page;
+mod capability_schema;
 mod capability_words;
 mod chain_answer;
 mod check_answer;
@@ -65,6 +66,7 @@ mod test_bench_answer;
 mod tracking_answer;
 mod uncertainty_answer;
 mod workspace_answer;
+mod workspace_parts;
 mod wrench_answer;
 
 pub use accuracy_answer::{AccuracyAnswer, Assessed};

@@ -1,11 +1,13 @@
 //! Natural frequencies and mode shapes of small motions, and the linear system behind them.
 
+use crate::keys::adapters::nullable_numbers;
 use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 use cdpr_model::robot::Assumption;
 use cdpr_model::statics::Stability;
 use cdpr_plant::{Linearization, Mode, Plant, PlantState};
 use nalgebra::DMatrix;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::stiffness_answer::{counts_as_none, word};
@@ -17,7 +19,8 @@ use crate::table::Table;
 type Rows = Vec<Vec<f64>>;
 
 /// Modes of a machine about an equilibrium.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Modes")]
 pub struct ModesAnswer {
     robot: String,
     model: String,
@@ -30,13 +33,17 @@ pub struct ModesAnswer {
     degrees_of_freedom: Vec<String>,
     #[serde(rename = "tensions_N")]
     tensions: Vec<f64>,
+    /// Modes, the slowest first.
     modes: Vec<ModeAnswer>,
     /// M, K and D of M δz̈ + D δż + K δz = input.
     mass_matrix: Rows,
+    /// K of that equation, row by row.
     stiffness_matrix: Rows,
+    /// D of that equation, row by row.
     damping_matrix: Rows,
     /// A and B of ẏ = A y + B u with y = \[δz; δż\], u = \[wrench; controlled lengths or motor torques; rates of controlled lengths\].
     system_matrix: Option<Rows>,
+    /// B of that system, row by row.
     input_matrix: Option<Rows>,
     /// Real and imaginary part of the eigenvalues of A (1/s).
     eigenvalues_per_s: Vec<[f64; 2]>,
@@ -50,16 +57,23 @@ pub struct ModesAnswer {
     warnings: Vec<String>,
 }
 
-#[derive(Serialize)]
+/// Mode of a machine.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Mode", transform = nullable_numbers)]
 struct ModeAnswer {
+    /// Frequency (Hz).
     #[serde(rename = "frequency_Hz")]
     frequency: f64,
     /// `stable`, `indifferent`, `unstable`.
     stability: &'static str,
+    /// Stiffness of the mode (N/m).
     #[serde(rename = "stiffness_N_per_m")]
     stiffness: f64,
+    /// Damping as a share of the critical one; null where it has no meaning.
     damping_ratio: f64,
+    /// Shape of the mode by the degrees of freedom.
     shape: Vec<f64>,
+    /// Share of each degree of freedom in the kinetic energy.
     participation: Vec<f64>,
 }
 

@@ -6,6 +6,7 @@ use cdpr_model::geometry::MotionPattern;
 use cdpr_model::reading::Keyword;
 use cdpr_study::accuracy::Accuracy;
 use cdpr_study::{Identification, JudgedOptimum};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::figures::{ErrorPanel, ErrorRows};
@@ -15,7 +16,7 @@ use crate::report::Addition;
 use crate::table::Table;
 
 /// Objective of a fit, and the driven errors.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 pub struct ObjectiveAnswer {
     /// Residuals that were made small.
     #[serde(with = "Word")]

@@ -3,6 +3,7 @@
 use cdpr_calibration::selection::SelectionCriterion;
 use cdpr_calibration::{PathParameter, PathPoint, PathSettings, Penalty, PenaltyPath, Towards};
 use cdpr_model::model::FreeParameters;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::figures::{Figure, PathCurves};
@@ -12,7 +13,7 @@ use crate::report::Addition;
 use crate::table::Table;
 
 /// Path of a penalty with its choice.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct PathAnswer {
     /// Penalties from large to small, with what they lead to.
     #[serde(with = "Each::<PathPointKeys>")]
@@ -27,7 +28,7 @@ pub struct PathAnswer {
 }
 
 /// Choice of cross-validation.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct PathChoice {
     /// The penalty.
     #[serde(with = "Word")]

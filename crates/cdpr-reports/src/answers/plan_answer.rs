@@ -5,6 +5,7 @@ use cdpr_model::control::Shortening;
 use cdpr_model::geometry::MotionPattern;
 use cdpr_model::model::Model;
 use cdpr_model::reading::Keyword;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::Answer;
@@ -39,18 +40,23 @@ pub struct Planned<'a> {
 }
 
 /// Planned measurements in short.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Plan")]
 pub struct PlanAnswer {
     robot: String,
     model: String,
     free: String,
+    /// Criterion that the plan is best by.
     criterion: &'static str,
     status: &'static str,
     reason: Option<String>,
+    /// Number of planned poses.
     count: usize,
+    /// Number of candidates.
     candidates: usize,
     /// Poses of the list that cannot be measured.
     left_out: Vec<LeftOut>,
+    /// Number of poses that were measured already.
     given: usize,
     /// Rows of the list of candidates, from 1, in the order of the path.
     poses: Vec<usize>,
@@ -77,13 +83,21 @@ pub struct PlanAnswer {
 
 keys! {
     /// One cable shortened.
-    TensionTestKeys of Shortening { cable by FromOne, by = "shorten_m" }
+    TensionTestKeys of Shortening {
+        /// The cable, from 1.
+        cable by FromOne,
+        /// Length by which it is shortened (m).
+        by = "shorten_m",
+    }
 }
 
 /// Candidate that cannot be measured.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "LeftOutPose")]
 struct LeftOut {
+    /// Row of the list, from 1.
     pose: usize,
+    /// Reason why it cannot be measured.
     reason: String,
 }
 

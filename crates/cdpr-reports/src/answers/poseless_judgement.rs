@@ -2,13 +2,14 @@
 
 use cdpr_calibration::ErrorBlocks;
 use cdpr_model::measurement::Split;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::keys::{ErrorBlockKeys, Maybe};
 use crate::number_format::significant;
 
 /// Errors of lengths and swivel angles at the poses where measurements agree best, of the calibrated model and of the one as given.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct PoselessJudgement {
     data: String,
     #[serde(flatten, with = "ErrorBlockKeys")]

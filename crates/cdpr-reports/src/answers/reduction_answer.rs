@@ -1,6 +1,7 @@
 //! Smaller model that a fit proposes: JSON and words.
 
 use cdpr_calibration::Reduction;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::keys::ReductionKeys;
@@ -8,7 +9,8 @@ use crate::number_format::{decimals_for, fixed};
 use crate::report::Addition;
 
 /// Smaller model, with the numbers that show it.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Reduction")]
 pub struct ReductionAnswer {
     #[serde(flatten, with = "ReductionKeys")]
     found: Reduction,

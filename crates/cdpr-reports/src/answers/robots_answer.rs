@@ -1,18 +1,23 @@
 //! Robots that are built in.
 
 use cdpr_model::robot::Robot;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::Answer;
 use crate::table::Table;
 
 /// Names and sizes of robots, and which of their numbers are assumed.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "RobotList")]
 pub struct RobotsAnswer {
+    /// Built-in robots.
     robots: Vec<Entry>,
 }
 
-#[derive(Serialize)]
+/// Built-in robot.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "RobotEntry")]
 struct Entry {
     name: String,
     motion_pattern: &'static str,

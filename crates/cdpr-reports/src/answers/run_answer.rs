@@ -26,16 +26,21 @@ pub struct RunAnswer {
     pub(crate) reason: Option<String>,
     /// `symplectic` or `error-controlled`.
     pub(crate) integrator: Integrator,
+    /// Number of steps.
     pub(crate) steps: u64,
+    /// State at the end.
     #[serde(rename = "final")]
     pub(crate) last: FinalState,
+    /// Smallest tension of the run (N).
     #[serde(rename = "tension_min_N")]
     pub(crate) tension_min: f64,
+    /// Largest tension of the run (N).
     #[serde(rename = "tension_max_N")]
     pub(crate) tension_max: f64,
     /// Energy at the end (J); null where tensions are no function of lengths alone.
     #[serde(rename = "energy_J", with = "Maybe::<EnergyKeys>")]
     pub(crate) energy: Option<Energy>,
+    /// Events that happened, in their order.
     pub(crate) events: Vec<EventAnswer>,
     /// Limits of tensions that were broken after any step, by first time and cable.
     #[serde(with = "Each::<ViolationKeys>")]
@@ -43,6 +48,7 @@ pub struct RunAnswer {
     /// Cables that were slack without breaking a limit.
     #[serde(with = "Each::<SlackKeys>")]
     pub(crate) slack: Vec<Violation>,
+    /// File of the states.
     pub(crate) log: String,
     /// Numbers of the robot file that the motion rests on and that no source states.
     pub(crate) assumptions: Vec<Assumption>,
@@ -54,10 +60,13 @@ pub struct RunAnswer {
 /// State at the end.
 #[derive(Clone, Debug, Default, Serialize, JsonSchema)]
 pub(crate) struct FinalState {
+    /// Time (s).
     time_s: f64,
     #[serde(flatten)]
     pose: PoseAnswer,
+    /// Velocity of the platform origin (m/s).
     velocity_m_s: Vec<f64>,
+    /// Angular velocity (rad/s).
     #[serde(skip_serializing_if = "Option::is_none")]
     angular_velocity_rad_s: Option<AngularRate>,
     #[serde(rename = "tensions_N")]
@@ -69,8 +78,11 @@ pub(crate) struct FinalState {
 #[derive(Clone, Debug, Serialize, JsonSchema)]
 #[schemars(rename = "Event")]
 pub(crate) struct EventAnswer {
+    /// Time (s).
     time_s: f64,
+    /// Kind of the event.
     kind: &'static str,
+    /// Cable, from 1, of an event of one cable.
     #[serde(skip_serializing_if = "Option::is_none")]
     cable: Option<usize>,
 }

@@ -2,6 +2,7 @@
 
 use cdpr_calibration::{ConditionMap, Conditioning};
 use cdpr_model::robot::ParameterKind;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::figures::{ConditionCells, Figure};
@@ -11,7 +12,8 @@ use crate::report::Addition;
 use crate::table::Table;
 
 /// Condition with scales as given or found.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Scaling")]
 pub struct ScalingAnswer {
     #[serde(flatten, with = "ConditioningKeys")]
     found: Conditioning,

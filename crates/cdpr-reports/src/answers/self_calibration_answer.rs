@@ -6,6 +6,7 @@ use cdpr_calibration::selection::Warnings;
 use cdpr_calibration::{Comparison, GaugeFixing, SelfCalibration, SensorFit, Verdict};
 use cdpr_model::model::Model;
 use cdpr_model::robot::Robot;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::CourseAnswer;
@@ -17,19 +18,24 @@ use crate::number_format::significant;
 use crate::report::Addition;
 
 /// Parameters found from lengths at unknown poses.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "SelfCalibration")]
 pub struct SelfCalibrationAnswer {
     pub(super) robot: String,
     pub(super) model: String,
+    /// Free parameters.
     free: String,
     pub(super) data: String,
+    /// Number of samples.
     pub(super) samples: usize,
     status: &'static str,
+    /// False where nobody should work with the parameters; the warnings say why.
     trusted: bool,
     #[serde(skip)]
     pub(super) verdict: Verdict,
     #[serde(flatten, with = "SelfCalibrationKeys")]
     pub(super) found: SelfCalibration,
+    /// Anchors on the frame, cable by cable (m).
     frame_anchors_m: Vec<Vec<f64>>,
     /// Poses at which the lengths fit best.
     poses: Vec<PoseAnswer>,
@@ -43,9 +49,11 @@ pub struct SelfCalibrationAnswer {
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) course: Option<CourseAnswer>,
     #[serde(flatten, with = "WarningKeys")]
+    #[schemars(with = "WarningKeys")]
     pub(super) warnings: Warnings,
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) out: Option<String>,
+    /// File of the poses.
     #[serde(skip_serializing_if = "Option::is_none")]
     pub(super) out_poses: Option<String>,
     /// Effects and free parameters in plain words.

@@ -3,15 +3,20 @@
 use cdpr_model::compensation::Beyond;
 use cdpr_model::control::CommandedPose;
 use cdpr_study::Experiment;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::{Answer, beyond_map, control_title};
 
 /// Virtual measurements in short.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Simulation")]
 pub struct SimulationAnswer {
+    /// Number of samples.
     samples: usize,
+    /// Number of poses without an answer.
     left_out: usize,
+    /// Reasons why poses were left out.
     reasons: Vec<String>,
     seed: u64,
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -20,7 +25,9 @@ pub struct SimulationAnswer {
     #[serde(skip_serializing_if = "Option::is_none")]
     remark: Option<String>,
     winch_offsets_m: Vec<f64>,
+    /// File of the measurements.
     out: String,
+    /// File that says what is known about the measurements.
     sidecar: String,
 }
 

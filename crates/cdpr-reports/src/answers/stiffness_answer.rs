@@ -4,6 +4,7 @@ use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 use cdpr_model::statics::{Stability, Stiffness};
 use nalgebra::DMatrix;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::tension_doubts::tension_doubts;
@@ -14,7 +15,8 @@ use crate::table::Table;
 type Rows = Vec<Vec<f64>>;
 
 /// Stiffness matrices of a pose with their meaning.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Stiffness")]
 pub struct StiffnessAnswer {
     robot: String,
     model: String,
@@ -22,6 +24,7 @@ pub struct StiffnessAnswer {
     status: &'static str,
     reason: Option<String>,
     pose: PoseAnswer,
+    /// Names of the degrees of freedom.
     degrees_of_freedom: Vec<String>,
     #[serde(rename = "tensions_N")]
     tensions: Option<Vec<f64>>,
@@ -33,23 +36,34 @@ pub struct StiffnessAnswer {
 }
 
 /// Null without tensions or courses.
-#[derive(Default, Serialize)]
+#[derive(Default, Serialize, JsonSchema)]
 struct Matrices {
+    /// Stiffness of the platform (N/m, N, N·m), row by row.
     stiffness: Option<Rows>,
+    /// Part of it by the tensions.
     geometric: Option<Rows>,
+    /// Part of it by the stretch of the cables.
     cable: Option<Rows>,
+    /// Part of it by the weight.
     gravity: Option<Rows>,
+    /// Inverse of the stiffness, row by row; null where it has none.
     compliance: Option<Rows>,
+    /// Change of the wrench with each controlled length (N/m, N), row by row.
     length_to_wrench: Option<Rows>,
+    /// Eigenvalues of the stiffness, rotations by the length scale (N/m).
     #[serde(rename = "eigenvalues_N_per_m")]
     eigenvalues: Option<Vec<f64>>,
     /// Stiffness that counts as none.
     #[serde(rename = "indifferent_stiffness_N_per_m")]
     indifferent_stiffness: Option<f64>,
+    /// Length by which rotations count (m).
     length_scale_m: f64,
+    /// Stiffness of each cable (N/m).
     #[serde(rename = "cable_stiffness_N_per_m")]
     cable_stiffness: Option<Vec<f64>>,
+    /// Lengths that the winches set, without strain (m).
     controlled_lengths_m: Option<Vec<f64>>,
+    /// Wrench that is out of balance (N, N·m).
     wrench_residual: Option<Vec<f64>>,
 }
 

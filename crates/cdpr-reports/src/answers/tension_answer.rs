@@ -4,6 +4,7 @@ use cdpr_model::geometry::{Pose, Twist};
 use cdpr_model::model::Model;
 use cdpr_model::tension::quadratic::Certificate;
 use cdpr_model::tension::{self, Intervals, Limits, Method, Status};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::{Answer, PoseAnswer};
@@ -12,16 +13,20 @@ use crate::number_format::cell;
 use crate::table::Table;
 
 /// Tensions at a pose, or the reason why there are none.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Tensions")]
 pub struct TensionAnswer {
     robot: String,
     model: String,
     pose: PoseAnswer,
+    /// Method by which tensions were chosen.
     method: Method,
     #[serde(flatten)]
     found: Found,
+    /// Smallest tension allowed, cable by cable (N).
     #[serde(rename = "tension_min_N")]
     minimum: Vec<f64>,
+    /// Largest tension allowed, cable by cable (N).
     #[serde(rename = "tension_max_N")]
     maximum: Vec<f64>,
     #[serde(skip)]
@@ -29,7 +34,7 @@ pub struct TensionAnswer {
 }
 
 /// Finding of a method; null where there is nothing.
-#[derive(Default, Serialize)]
+#[derive(Default, Serialize, JsonSchema)]
 pub struct Found {
     status: &'static str,
     reason: Option<String>,
@@ -44,24 +49,30 @@ pub struct Found {
     /// Wrench that the tensions balance.
     #[serde(rename = "wrench_N_Nm")]
     wrench: Option<Vec<f64>>,
+    /// Difference of the wrench of the tensions from that (N, N·m).
     wrench_residual: Option<Vec<f64>>,
     #[serde(flatten)]
     missing: Option<Missing>,
     /// Proof of infeasibility: Σ weights · tensions is `required_N` in equilibrium and at most `reachable_N` within limits.
     #[serde(with = "Maybe::<InfeasibilityKeys>", skip_serializing_if = "Option::is_none")]
     certificate: Option<Certificate>,
+    /// Steps of the method.
     iterations: Option<u32>,
 }
 
 /// Difference of the wrench of the tensions from the one asked for (N, N·m).
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 struct Missing {
+    /// Wrench that is missing (N, N·m).
     #[serde(rename = "missing_wrench_N_Nm")]
     wrench: Vec<f64>,
+    /// Magnitude of its force (N).
     #[serde(rename = "missing_force_N")]
     force: f64,
+    /// Magnitude of its moment (N·m).
     #[serde(rename = "missing_moment_Nm")]
     moment: f64,
+    /// Length by which moments count (m); null for a platform that does not turn.
     #[serde(rename = "moment_length_m")]
     moment_length: Option<f64>,
 }

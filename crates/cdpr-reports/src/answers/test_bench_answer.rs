@@ -4,6 +4,7 @@ use cdpr_calibration::Verdict;
 use cdpr_calibration::selection::Warnings;
 use cdpr_calibration::test_bench::{Misfit, Solution};
 use cdpr_model::robot::HysteresisTable;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::Answer;
@@ -13,57 +14,89 @@ use crate::number_format::cell;
 use crate::table::Table;
 
 /// Error of one law (N, and % of the range of tensions).
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "LawError")]
 struct ErrorAnswer {
+    /// Root mean square (N).
     #[serde(rename = "rms_N")]
     rms: f64,
+    /// Largest magnitude (N).
     #[serde(rename = "max_N")]
     max: f64,
+    /// Root mean square as a percentage of the range of tensions.
     rms_percent_of_range: f64,
 }
 
 /// Laws of a cable with their errors.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 #[expect(non_snake_case, reason = "keys carry their units")]
+#[schemars(rename = "TestBench")]
 pub struct TestBenchAnswer {
     status: &'static str,
+    /// False where nobody should work with the laws; the warnings say why.
     trusted: bool,
     #[serde(skip)]
     verdict: Verdict,
     /// Reason not to trust the laws.
     reason: Option<String>,
+    /// File of the record.
     record: String,
+    /// Number of samples.
     samples: usize,
+    /// Number of strokes at which the tension rises.
     loading_strokes: usize,
+    /// Number of strokes at which the tension falls.
     unloading_strokes: usize,
+    /// Smallest tension of the record (N).
     tension_min_N: f64,
+    /// Largest tension of the record (N).
     tension_max_N: f64,
+    /// Smallest elongation of the record (m).
     elongation_min_m: f64,
+    /// Largest elongation of the record (m).
     elongation_max_m: f64,
+    /// Elongation at which the cable has no tension (m).
     zero_elongation_m: f64,
+    /// Errors of the law with two branches.
     hysteresis_error: ErrorAnswer,
+    /// Errors of its loading branch.
     loading_error: ErrorAnswer,
+    /// Errors of its unloading branch.
     unloading_error: ErrorAnswer,
+    /// Errors of the polynomial from no tension.
     polynomial_error: Option<ErrorAnswer>,
+    /// Errors of the polynomial that need not come from no tension.
     intercept_polynomial_error: Option<ErrorAnswer>,
+    /// Errors of the straight line.
     linear_error: ErrorAnswer,
+    /// Slope of the straight line (N/m).
     linear_stiffness_N_per_m: f64,
+    /// Axial stiffness EA of the cable (N).
     axial_stiffness_EA_N: f64,
+    /// Coefficients of the polynomial in the strain (N), from the first power on.
     tension_of_strain_N: Option<Vec<f64>>,
     /// Strain at the record's least elongation by the polynomial, and its tension there.
     preload_strain: Option<f64>,
+    /// Tension at the preload (N).
     preload_N: Option<f64>,
     /// Of the polynomial that need not come from no tension: strains from the record's least elongation.
     intercept_N: Option<f64>,
+    /// Its coefficients in the strain (N), from the first power on.
     intercept_coefficients_N: Option<Vec<f64>>,
+    /// Smallest slope of the branches (N/m).
     stiffness_min_N_per_m: f64,
+    /// Largest slope of the branches (N/m).
     stiffness_max_N_per_m: f64,
+    /// Energy that a cycle costs by the law (J).
     loss_per_cycle_J: f64,
+    /// Energy that a recorded cycle costs (J).
     recorded_loss_per_cycle_J: f64,
+    /// Table of the branches, as robot files have it.
     hysteresis: HysteresisTable,
     out: Option<String>,
     /// Doubts about the laws.
     #[serde(flatten, with = "WarningKeys")]
+    #[schemars(with = "WarningKeys")]
     warnings: Warnings,
     #[serde(skip)]
     keys: String,

@@ -1,12 +1,14 @@
 //! Verdict on force control after an identification, as answers tell it.
 
 use cdpr_study::force_tracking::ForceTracking;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::keys::ForceTrackingKeys;
 
 /// Comparison of a force controller with the one before.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "ForceTracking")]
 pub(super) struct TrackingAnswer {
     /// The control model before.
     before: String,

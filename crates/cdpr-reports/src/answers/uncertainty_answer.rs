@@ -6,6 +6,7 @@ use cdpr_calibration::fit::{Fit, Profile};
 use cdpr_calibration::{PoseBand, Resampled};
 use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::NamedFile;
@@ -17,7 +18,7 @@ use crate::study_page::{SAME_HEIGHT, levels};
 use crate::table::Table;
 
 /// Uncertainty of a fit beyond its linear deviations.
-#[derive(Default, Serialize)]
+#[derive(Default, Serialize, JsonSchema)]
 pub struct UncertaintyAnswer {
     /// Profiles of chosen parameters.
     #[serde(with = "Each::<ProfileKeys>", skip_serializing_if = "Vec::is_empty")]

@@ -11,6 +11,7 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::Answer;
+use super::workspace_parts::{Singular, Unless};
 use crate::keys::{AuditKeys, Maybe};
 use crate::number_format::significant;
 
@@ -37,16 +38,25 @@ pub struct WorkspaceAnswer {
     reason: Option<String>,
     robot: String,
     model: String,
+    /// Criterion in words.
     criterion: String,
+    /// Kind of workspace by its orientations.
     archetype: &'static str,
+    /// Number of orientations at which each position is judged.
     orientations: usize,
+    /// Method that found the size.
     method: &'static str,
+    /// Box that was searched, ends along each axis (m).
     bounds_m: Vec<f64>,
+    /// Area (m²), of a planar robot; null where it has none.
     #[serde(rename = "area_m2", skip_serializing_if = "Unless::is_other")]
     area: Unless,
+    /// Volume (m³), of a spatial robot; null where it has none.
     #[serde(rename = "volume_m3", skip_serializing_if = "Unless::is_other")]
     volume: Unless,
+    /// How the size stands to the true one.
     size_is: &'static str,
+    /// Bound of the error of the size (m² or m³); null where there is none.
     error_bound: Option<f64>,
     /// Probability of the bound.
     #[serde(skip_serializing_if = "Option::is_none")]
@@ -54,60 +64,52 @@ pub struct WorkspaceAnswer {
     /// Why the bound is no smaller, where it is larger than wanted.
     #[serde(skip_serializing_if = "Option::is_none")]
     bound_limited_by: Option<String>,
+    /// Poses judged.
     points: u64,
+    /// Poses of these that belong to the workspace.
     feasible_points: u64,
+    /// Random points at which the result is judged.
     #[serde(with = "Maybe::<AuditKeys>", skip_serializing_if = "Option::is_none")]
     random_points: Option<Audit>,
+    /// True where the workspace reaches the box.
     reaches_bounds: bool,
+    /// Rank of the structure matrix, where it is below full rank everywhere.
     #[serde(skip_serializing_if = "Option::is_none")]
     singular: Option<Singular>,
+    /// Centroid (m).
     #[serde(skip_serializing_if = "Option::is_none")]
     centroid_m: Option<Vec<f64>>,
+    /// Edges of the cells (m).
     #[serde(skip_serializing_if = "Option::is_none")]
     cell_m: Option<Vec<f64>>,
+    /// Number of points of the grid.
     #[serde(skip_serializing_if = "Option::is_none")]
     grid_points: Option<u64>,
+    /// Edges of the cells that the search starts with (m).
     #[serde(skip_serializing_if = "Option::is_none")]
     start_cell_m: Option<Vec<f64>>,
+    /// Number of rays of the hull.
     #[serde(skip_serializing_if = "Option::is_none")]
     rays: Option<usize>,
+    /// Rays that enter the workspace again.
     #[serde(skip_serializing_if = "Option::is_none")]
     rays_again: Option<usize>,
+    /// Centre of the rays (m).
     #[serde(skip_serializing_if = "Option::is_none")]
     center_m: Option<Vec<f64>>,
+    /// Length of the outline (m).
     #[serde(skip_serializing_if = "Option::is_none")]
     outline_m: Option<f64>,
+    /// Area of the surface (m²).
     #[serde(skip_serializing_if = "Option::is_none")]
     #[serde(rename = "surface_m2")]
     surface: Option<f64>,
+    /// File of the mesh.
     #[serde(skip_serializing_if = "Option::is_none")]
     mesh: Option<String>,
+    /// Page that was written.
     #[serde(skip_serializing_if = "Option::is_none")]
     page: Option<String>,
-}
-
-/// A structure matrix of less than full rank wherever the criteria hold.
-#[derive(Clone, Copy, Serialize, JsonSchema)]
-struct Singular {
-    rank: usize,
-    degrees_of_freedom: usize,
-}
-
-/// A size, or null where there is none; left out where the robot has the other kind.
-#[derive(Default, Serialize, JsonSchema)]
-#[serde(untagged)]
-#[schemars(rename = "Size")]
-enum Unless {
-    #[default]
-    #[serde(skip)]
-    Other,
-    Size(Option<f64>),
-}
-
-impl Unless {
-    fn is_other(&self) -> bool {
-        matches!(self, Self::Other)
-    }
 }
 
 fn components(point: &Point, dimension: usize) -> Option<Vec<f64>> {

@@ -2,13 +2,15 @@
 
 use cdpr_model::geometry::{MotionPattern, Wrench};
 use cdpr_model::robot::Robot;
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::pose_answer::{axis_names, components};
 use crate::number_format::cell;
 
 /// A wrench as robot files write it: world axes, moment about the platform origin. Null where it is not known.
-#[derive(Clone, Debug, Default, Serialize)]
+#[derive(Clone, Debug, Default, Serialize, JsonSchema)]
+#[schemars(rename = "Wrench")]
 pub struct WrenchAnswer {
     /// Force (N): three components, or the two of a planar robot.
     #[serde(rename = "force_N")]
@@ -22,7 +24,7 @@ pub struct WrenchAnswer {
 }
 
 /// Moment of a planar or a spatial robot.
-#[derive(Clone, Debug, Serialize)]
+#[derive(Clone, Debug, Serialize, JsonSchema)]
 #[serde(untagged)]
 enum Moment {
     /// About the plane's normal.

@@ -10,6 +10,7 @@ use schemars::{JsonSchema, Schema};
 use serde::ser::SerializeMap;
 use serde::{Serialize, Serializer};
 
+use super::table_schema::ReachableSize;
 use crate::answers::Size;
 
 /// Table of keys by which values are written.
@@ -36,14 +37,15 @@ pub(crate) trait Entries<T: ?Sized> {
     fn entries<M: SerializeMap>(value: &T, map: &mut M) -> Result<(), M::Error>;
 }
 
-/// Tables of keys that need no schema: `Keys of Value { field, field = "key", field by OtherKeys, field among OtherKeys, field.name(), field unless none }`.
+/// Tables of keys with their schemas: `Keys of Value { field, field = "key", field by OtherKeys, field among OtherKeys, field.name(), field unless none }`.
 /// A field, or what an index, a path or a method without arguments makes of it, stands under the field's name or the key that follows. It is written as it is, by another
-/// table, or with the entries of another table among its own; `unless none` leaves out an optional value that is `None`.
+/// table, or with the entries of another table among its own; `unless none` leaves out an optional value that is `None`. The documentation of a field describes its key.
+/// The schema has the name of the table without `Keys`, or the one that follows: `Keys as "Name" of Value { … }`.
 macro_rules! keys {
-    ($($(#[$doc:meta])* $keys:ident of $value:ty {
-        $($field:ident $([$place:literal])? $(.$part:ident $(($($argument:tt)*))?)* $(unless $none:ident)? $(= $key:literal)? $(among $inner:ident)? $(by $table:ty)?),+ $(,)?
+    ($($(#[doc = $about:expr])* $keys:ident $(as $title:literal)? of $value:ty {
+        $($(#[doc = $doc:expr])* $field:ident $([$place:literal])? $(.$part:ident $(($($argument:tt)*))?)* $(unless $none:ident)? $(= $key:literal)? $(among $inner:ident)? $(by $table:ty)?),+ $(,)?
     })+) => {$(
-        $(#[$doc])*
+        $(#[doc = $about])*
         pub(crate) struct $keys;
 
         impl $keys {
@@ -60,6 +62,26 @@ macro_rules! keys {
                     map, &value.$field$([$place])?$(.$part$(($($argument)*))?)*, stringify!($field), [$($none)?], [$($key)?], [$($table)?], [$($inner)?]
                 );)+
                 Ok(())
+            }
+        }
+
+        impl schemars::JsonSchema for $keys {
+            fn schema_name() -> std::borrow::Cow<'static, str> {
+                let titles: &[&'static str] = &[$($title,)? stringify!($keys)];
+                $crate::keys::table_schema::table_name(titles[0])
+            }
+
+            fn schema_id() -> std::borrow::Cow<'static, str> {
+                concat!(module_path!(), "::", stringify!($keys)).into()
+            }
+
+            fn json_schema(generator: &mut schemars::SchemaGenerator) -> schemars::Schema {
+                let mut table = $crate::keys::table_schema::TableSchema::new(&[$($about),*]);
+                $($crate::keys::table_schema::entry_schema!(
+                    generator, table, |value: &$value| $crate::keys::table_schema::type_of(&value.$field$([$place])?$(.$part$(($($argument)*))?)*),
+                    stringify!($field), [$($none)?], [$($key)?], [$($table)?], [$($inner)?], [$($doc),*]
+                );)+
+                table.schema()
             }
         }
 
@@ -144,7 +166,7 @@ impl<T, K: Entries<T>> Entries<Option<T>> for K {
     }
 }
 
-impl<T: Serialize> Entries<Size<T>> for Size {
+impl<T: Serialize> Entries<Size<T>> for ReachableSize {
     fn entries<M: SerializeMap>(size: &Size<T>, map: &mut M) -> Result<(), M::Error> {
         map.serialize_entry(&size.key(), &size.value)
     }
@@ -174,12 +196,6 @@ pub(crate) struct FromOne;
 impl Keys<usize> for FromOne {
     fn write<S: Serializer>(place: &usize, serializer: S) -> Result<S::Ok, S::Error> {
         (place + 1).serialize(serializer)
-    }
-}
-
-impl Keys<Vec<usize>> for FromOne {
-    fn write<S: Serializer>(places: &Vec<usize>, serializer: S) -> Result<S::Ok, S::Error> {
-        Each::<Self>::serialize(places, serializer)
     }
 }
 
@@ -220,6 +236,8 @@ macro_rules! schema_like {
 schema_like!([K] Each<K>: Vec<K>);
 schema_like!([K] Maybe<K>: Option<K>);
 schema_like!([] Word: String);
+schema_like!([] Shown: String);
+schema_like!([] FromOne: usize);
 
 /// Numbers of a table that are null where they are not finite.
 pub(crate) fn nullable_numbers(schema: &mut Schema) {

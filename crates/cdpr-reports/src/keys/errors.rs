@@ -13,10 +13,15 @@ use super::adapters::{nullable_numbers, tables};
 #[serde(remote = "PoseErrorStatistics")]
 #[schemars(rename = "PoseErrors", transform = nullable_numbers)]
 pub(crate) struct PoseErrorKeys {
+    /// Mean (eq. 3.4).
     mean: f64,
+    /// Root mean square.
     rms: f64,
+    /// Median.
     median: f64,
+    /// 95 % quantile: 95 % of the errors are smaller.
     p95: f64,
+    /// Largest.
     max: f64,
 }
 
@@ -25,9 +30,13 @@ pub(crate) struct PoseErrorKeys {
 #[serde(remote = "LengthErrorStatistics")]
 #[schemars(rename = "LengthErrors", transform = nullable_numbers)]
 pub(crate) struct LengthErrorKeys {
+    /// Mean of the magnitudes.
     mean_abs: f64,
+    /// Root mean square.
     rms: f64,
+    /// 95 % quantile of the magnitudes: 95 % are smaller.
     p95: f64,
+    /// Largest magnitude.
     max: f64,
 }
 
@@ -38,8 +47,11 @@ pub(crate) struct LengthErrorKeys {
 pub(crate) struct TensionErrorKeys {
     /// Mean over poses of the 2-norm over cables.
     mean_norm: f64,
+    /// Mean of the magnitudes.
     mean_abs: f64,
+    /// Root mean square.
     rms: f64,
+    /// Largest magnitude.
     max: f64,
 }
 
@@ -48,15 +60,21 @@ pub(crate) struct TensionErrorKeys {
 #[serde(remote = "ErrorBlocks")]
 #[schemars(rename = "ErrorBlocks")]
 pub(crate) struct ErrorBlockKeys {
+    /// Number of samples.
     samples: usize,
+    /// Distance between predicted and measured position (m).
     #[serde(with = "PoseErrorKeys")]
     position_error_m: PoseErrorStatistics,
+    /// Geodesic angle between predicted and measured orientation (rad).
     #[serde(with = "PoseErrorKeys")]
     rotation_error_rad: PoseErrorStatistics,
+    /// Modelled minus recorded lengths at the measured poses (m).
     #[serde(with = "LengthErrorKeys")]
     length_error_m: LengthErrorStatistics,
+    /// Predicted minus recorded tensions; null for a model that knows none, or data without.
     #[serde(rename = "tension_error_N", with = "Maybe::<TensionErrorKeys>", skip_serializing_if = "Option::is_none")]
     tension_error: Option<TensionErrorStatistics>,
+    /// Modelled minus recorded swivel angles at the poses where measurements agree best; null where there are none.
     #[serde(rename = "swivel_error_rad", with = "Maybe::<LengthErrorKeys>", skip_serializing_if = "Option::is_none")]
     swivel_error: Option<LengthErrorStatistics>,
     /// Samples whose forward problem has an answer.

@@ -15,6 +15,7 @@ mod run;
 mod selection;
 mod statics;
 mod study;
+pub(crate) mod table_schema;
 mod tables;
 mod warnings;
 mod workspace;

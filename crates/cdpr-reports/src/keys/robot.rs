@@ -7,5 +7,18 @@ use super::adapters::keys;
 
 keys! {
     /// Element of another program's model that the robot lacks wholly or in part.
-    FindingKeys of Finding { loss.name(), element, name, file, line, why }
+    FindingKeys as "ImportFinding" of Finding {
+        /// Lost part of the element.
+        loss.name(),
+        /// Name of the XML element.
+        element,
+        /// Its name in the model, if it has one.
+        name,
+        /// The file.
+        file,
+        /// Line in the file, from 1.
+        line,
+        /// Lost part, with the reason.
+        why,
+    }
 }

@@ -29,12 +29,17 @@ pub(crate) struct CoverageKeys {
 #[serde(remote = "PoseRange")]
 #[schemars(rename = "PoseRange", transform = nullable_numbers)]
 struct PoseRangeKeys {
+    /// The component: a world axis, or `rx`, `ry`, `rz`, `angle`.
     name: String,
     /// Unit of the numbers: m or rad.
     unit: &'static str,
+    /// Smallest value in the data of the reported fit.
     fit_min: f64,
+    /// Largest value in the data of the reported fit.
     fit_max: f64,
+    /// Smallest value in validation data.
     validation_min: f64,
+    /// Largest value in validation data.
     validation_max: f64,
 }
 
@@ -43,7 +48,9 @@ struct PoseRangeKeys {
 #[serde(remote = "Preference")]
 #[schemars(rename = "Preference", transform = nullable_numbers)]
 pub(crate) struct PreferenceKeys {
+    /// Name of the criterion.
     name: &'static str,
+    /// The criterion in words, with what counts as no difference.
     words: String,
     /// Name of the chosen candidate.
     #[serde(rename = "candidate")]
@@ -61,10 +68,15 @@ pub(crate) struct PreferenceKeys {
 struct RequirementKeys {
     /// Name of the error figure with its unit.
     metric: &'static str,
+    /// Largest value allowed.
     limit: f64,
+    /// The candidate's value on validation data; null without any.
     value: f64,
+    /// True when the value keeps the limit and every validation sample has part in it.
     met: bool,
+    /// Validation samples.
     samples: usize,
+    /// Those of them that have part in the value.
     samples_with_value: usize,
 }
 
@@ -73,8 +85,11 @@ struct RequirementKeys {
 #[serde(remote = "HeldOut")]
 #[schemars(rename = "HeldOut", transform = nullable_numbers)]
 struct HeldOutKeys {
+    /// Mean over the samples that all compared candidates answer (SI).
     criterion: f64,
+    /// Its standard error by block bootstrap.
     standard_error: f64,
+    /// Number of these samples.
     samples: usize,
 }
 
@@ -83,17 +98,26 @@ struct HeldOutKeys {
 #[serde(remote = "Information")]
 #[schemars(rename = "Information", transform = nullable_numbers)]
 struct InformationKeys {
+    /// ln L of the rows at the optimum.
     log_likelihood: f64,
+    /// Rows that say something, without those of samples that no candidate explains.
     rows: usize,
+    /// As many independent rows as these tell: rows divided by the correlation time of consecutive samples.
     effective_rows: f64,
+    /// Directions that the data determine: one with a prior counts by the share that the data tell, 1 − σ²/σ_prior².
     effective_parameters: f64,
     /// Noise in units of the stated or assumed accuracies.
     noise: f64,
+    /// Source of that noise.
     #[serde(with = "Word")]
     noise_source: NoiseSource,
+    /// Whether wrenches are rows besides lengths: only candidates with the same rows are compared.
     with_wrenches: bool,
+    /// −2 ln L · (effective rows/rows) + 2 k.
     aic: f64,
+    /// The same corrected for few rows, + 2 k (k + 1)/(n − k − 1); null where there are as many parameters as rows.
     aicc: f64,
+    /// −2 ln L · (effective rows/rows) + k ln n.
     bic: f64,
 }
 
@@ -101,6 +125,7 @@ struct InformationKeys {
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "Fold")]
 struct Fold {
+    /// Name of the fold.
     name: String,
     #[serde(flatten, with = "ErrorBlockKeys")]
     errors: ErrorBlocks,
@@ -147,6 +172,7 @@ pub(crate) struct JudgementKeys {
     folds: Vec<Fold>,
     /// Mean error by which candidates are compared (SI); null for a candidate that cannot be judged by it.
     criterion: f64,
+    /// Its standard error by block bootstrap.
     standard_error: f64,
     /// Difference of the errors to those of the best candidate on the same samples, by which candidates are compared (m); null where these errors are no distances,
     /// or the candidate is not compared.
@@ -180,6 +206,7 @@ pub(crate) struct JudgementKeys {
     /// Validation samples that no candidate explains and no figure counts.
     #[serde(getter = "set_aside_samples")]
     set_aside_samples: usize,
+    /// The limits and how the candidate stands to them.
     #[serde(with = "Each::<RequirementKeys>")]
     requirements: Vec<RequirementOutcome>,
     /// False where nobody should work with the candidate.
@@ -188,6 +215,7 @@ pub(crate) struct JudgementKeys {
     /// Reasons not to trust the candidate.
     #[serde(getter = "reasons_of_distrust", skip_serializing_if = "Vec::is_empty")]
     distrust: Vec<String>,
+    /// Warnings about the fit.
     #[serde(getter = "warnings")]
     warnings: Vec<String>,
 }

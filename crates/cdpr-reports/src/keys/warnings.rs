@@ -20,6 +20,7 @@ pub(crate) struct WarningKeys {
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "Finding")]
 pub(crate) struct FoundKeys {
+    /// Kind of the finding.
     kind: &'static str,
     /// Cable, counted from 1; null if it is about several or none.
     cable: Option<usize>,

@@ -11,6 +11,7 @@ use super::adapters::tables;
 #[serde(remote = "Audit")]
 #[schemars(rename = "RandomPoints")]
 pub(crate) struct AuditKeys {
+    /// Points drawn.
     points: u64,
     /// Points that belong to the workspace.
     feasible_points: u64,

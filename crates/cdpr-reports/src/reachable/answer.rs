@@ -8,12 +8,15 @@ use cdpr_workspace::grid;
 use cdpr_workspace::hull::Hull;
 use cdpr_workspace::{Audit, CONFIDENCE};
 use cdpr_workspace::{Bounds, Point, Region, components};
+use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 use serde_json::json;
 
 use super::Differential;
+use super::differential::DifferentialKeys;
 use crate::answers::{BEYOND_THE_WHOLE, Size, beyond_map, control_title, is_beyond_the_whole, title};
 use crate::keys::BeyondKeys;
+use crate::keys::table_schema::{EmergingSize, LinearSize, ModelSize, PartSize, PhysicalSize, ReachableSize};
 
 /// Question of a search.
 #[derive(Clone, Copy)]
@@ -30,7 +33,8 @@ pub struct Searched<'a> {
 const MOST_MOVED: usize = 20_000;
 
 /// Sizes of the workspaces of a study; keys and units as in JSON.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Reachable")]
 pub struct ReachableAnswer {
     status: &'static str,
     /// Reason why the answer is negative.
@@ -48,18 +52,23 @@ pub struct ReachableAnswer {
     tension_error_max: Option<f64>,
     /// Reachable, by emerging poses.
     #[serde(flatten)]
+    #[schemars(with = "EmergingSize")]
     pub(super) emerging: Size,
     /// Reachable set by one linear step; `None` if it was not asked for, null without a size.
     #[serde(flatten)]
+    #[schemars(with = "LinearSize")]
     pub(super) linear: Option<Size>,
     /// The control model is wrench-feasible.
     #[serde(flatten)]
+    #[schemars(with = "ModelSize")]
     pub(super) model: Size,
     /// The machine is wrench-feasible.
     #[serde(flatten)]
+    #[schemars(with = "PhysicalSize")]
     pub(super) physical: Size,
     /// Reachable, by commanded poses.
     #[serde(flatten)]
+    #[schemars(with = "ReachableSize")]
     pub(super) reachable: Size,
     /// Reachable share of the physical workspace.
     share: Option<f64>,
@@ -96,12 +105,14 @@ pub struct ReachableAnswer {
     emerging_outline_m: Option<Vec<[f64; 2]>>,
     /// A change of one number.
     #[serde(skip_serializing_if = "Option::is_none")]
+    #[schemars(with = "Option<DifferentialKeys>")]
     pub(super) differential: Option<Differential>,
     winch_offsets_m: Vec<f64>,
 }
 
 /// Effect of a map.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "MappedReachable")]
 pub(super) struct MapAnswer {
     #[serde(flatten, with = "BeyondKeys")]
     beyond: Beyond,
@@ -110,24 +121,32 @@ pub(super) struct MapAnswer {
 }
 
 /// Size with its share of the physical workspace.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub(super) struct SizeAndShare {
     #[serde(flatten)]
+    #[schemars(with = "ReachableSize")]
     pub(super) size: Size,
+    /// Share of the physical workspace; null without one.
     share: Option<f64>,
 }
 
 /// Size reached with a largest position error.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "ReachableWithError")]
 pub(super) struct WithError {
+    /// Largest position error that counts as reached (m).
     pub(super) position_error_max_m: f64,
     #[serde(flatten)]
     pub(super) reached: SizeAndShare,
 }
 
 /// Part of a workspace that touches no other, with one of its points.
+#[derive(JsonSchema)]
+#[schemars(rename = "WorkspacePart")]
 pub(super) struct Part {
+    #[schemars(flatten, with = "PartSize")]
     pub(super) size: Size<f64>,
+    /// One of its points (m).
     position_m: Vec<f64>,
 }
 

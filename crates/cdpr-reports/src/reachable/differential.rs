@@ -6,6 +6,7 @@ use cdpr_study::reachable::{Reachable, Varied, differential_hull};
 use cdpr_study::sensitivity::ParameterDeviation;
 use cdpr_workspace::hull::{self, Hull};
 use cdpr_workspace::{Bounds, Region};
+use schemars::JsonSchema;
 use serde::{Serialize, Serializer};
 use serde_json::json;
 
@@ -43,6 +44,39 @@ impl Serialize for Differential {
         })
         .serialize(serializer)
     }
+}
+
+/// Keys of a change, of an area or a volume.
+#[derive(JsonSchema)]
+#[schemars(rename = "ReachableChange")]
+#[expect(dead_code, reason = "only the schema is made of it")]
+pub(super) struct DifferentialKeys {
+    /// Name of the number that changes.
+    parameter: String,
+    /// Its unit; `1` for a share.
+    unit: String,
+    /// Its change, in this unit.
+    change: f64,
+    /// Speed of each ray's end (m per unit); null where the box cuts the ray.
+    rates_m_per_unit: Vec<Option<f64>>,
+    /// Rate of the area (m² per unit).
+    #[schemars(skip_serializing_if = "Option::is_none")]
+    rate_area_m2_per_unit: Option<f64>,
+    /// Rate of the volume (m³ per unit).
+    #[schemars(skip_serializing_if = "Option::is_none")]
+    rate_volume_m3_per_unit: Option<f64>,
+    /// Area after the change (m²), to first order.
+    #[schemars(skip_serializing_if = "Option::is_none")]
+    first_order_area_m2: Option<f64>,
+    /// Volume after the change (m³), to first order.
+    #[schemars(skip_serializing_if = "Option::is_none")]
+    first_order_volume_m3: Option<f64>,
+    /// Area from a hull found anew (m²); null where it has none.
+    #[schemars(skip_serializing_if = "Option::is_none")]
+    recomputed_area_m2: Option<f64>,
+    /// Volume from a hull found anew (m³); null where it has none.
+    #[schemars(skip_serializing_if = "Option::is_none")]
+    recomputed_volume_m3: Option<f64>,
 }
 
 /// A parameter and how much it changes, in its unit.

@@ -5,13 +5,15 @@ use cdpr_study::Experiment;
 use cdpr_study::sensitivity::{Influence, Kind, KindInfluence, Offsets, Side, counted_as, rank, rank_kinds};
 use cdpr_study::study::{AccuracyOf, Distribution, Tolerances};
 use cdpr_study::tolerance::{Allowance, DeviationSettings, Deviations, MonteCarlo};
+use schemars::JsonSchema;
 use serde::Serialize;
 
 use crate::answers::title;
 use crate::keys::{AllowanceKeys, Each, InfluenceKeys, KindInfluenceKeys, Maybe, MonteCarloKeys};
 
 /// Numbers of a study's models and winches with what they move; keys and units as in JSON.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "Sensitivity")]
 pub struct SensitivityAnswer {
     /// Outcome in a word.
     pub status: &'static str,
@@ -61,7 +63,7 @@ pub struct SensitivityAnswer {
 }
 
 /// A pose to which no exact derivative leads.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct DifferencePose {
     /// The pose, from 1.
     pub pose: usize,
@@ -70,7 +72,7 @@ pub struct DifferencePose {
 }
 
 /// A kind that is another name of an error.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
 pub struct SameError {
     /// Side and kind, as `winches winch-offset`.
     pub name: String,
@@ -83,7 +85,8 @@ pub struct SameError {
 }
 
 /// One parameter.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "ParameterSensitivity")]
 pub struct ParameterAnswer {
     /// Name of the parameter.
     pub name: String,
@@ -93,7 +96,8 @@ pub struct ParameterAnswer {
 }
 
 /// Deviations that the tolerances of the study make.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "ToleranceEffects")]
 pub struct ToleranceAnswer {
     /// Distribution of the deviations.
     pub distribution: Distribution,
@@ -107,7 +111,8 @@ pub struct ToleranceAnswer {
 }
 
 /// To first order.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "LinearTolerance")]
 pub struct Linear {
     /// Root mean square over the poses.
     pub deviation_rms_m: f64,
@@ -120,7 +125,8 @@ pub struct Linear {
 }
 
 /// Tolerances that an accuracy allows.
-#[derive(Serialize)]
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "AllowedTolerances")]
 pub struct AllowedAnswer {
     /// Required accuracy.
     pub accuracy_m: f64,

@@ -61,7 +61,7 @@ pub struct CalibratedModel {
 }
 
 /// Outcome of one calibration: means over its records.
-#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize, schemars::JsonSchema)]
 #[expect(non_snake_case, reason = "the fields are the keys of the answer, units included")]
 pub struct CalibrationOutcome {
     /// Free parameters.
