@@ -110,30 +110,23 @@ class Statics(unittest.TestCase):
             self.model.feasible(self.poses, limits=(500.0, 12000.0), wrench=weight), found.feasible
         )
 
-    def test_stiffness_is_the_derivative_of_the_wrench(self) -> None:
-        pose, weight = self.poses[0], np.zeros(6)
-        tensions = self.model.tensions(pose).tensions
-        stiffness = self.model.stiffness(pose, tensions, wrench=weight)
-        lengths = self.model.inverse(pose, tensions)
-        h = 1e-5
-
-        def pull(shift: np.ndarray) -> np.ndarray:
-            moved = pose.copy()
-            moved[:3] += shift
-            geometric = self.model.lengths(moved)
-            # Hooke's law by the tangent: tension rises with the stretch that fixed winches leave
-            slope = (self.model.lengths(pose) - lengths) / tensions
-            return self.model.structure_matrix(moved) @ (tensions + (geometric - self.model.lengths(pose)) / slope)
-
+    def test_stiffness_is_the_wrench_by_the_displacement(self) -> None:
+        pose = self.poses[0]
+        weight = -self.model.structure_matrix(pose) @ np.full(8, 4000.0)
+        lengths = self.model.inverse(pose, [4000.0] * 8)
+        stiffness = self.model.stiffness(pose, [4000.0] * 8, wrench=weight)
         for axis in range(3):
-            step = np.zeros(3)
-            step[axis] = h
-            change = (pull(step) - pull(-step)) / (2 * h)
-            # the tangent leaves out that unstretched lengths stay: a few parts in a hundred thousand
-            np.testing.assert_allclose(-change[:3], stiffness[:3, axis], rtol=1e-3, atol=1e-3 * np.abs(stiffness).max())
+            step = np.zeros(6)
+            step[axis] = 20.0
+            sides = [self.model.forward(lengths, pose, wrench=weight + side * step).raise_for_status() for side in (1, -1)]
+            moved = 0.5 * (sides[0].poses - sides[1].poses)
+            # half of a small turn is the vector part of its quaternion, times the conjugate of the pose's; world axes
+            turn = 2.0 * (pose[6] * moved[3:6] - moved[6] * pose[3:6] + np.cross(pose[3:6], moved[3:6]))
+            # central differences: the rest is of third order in a displacement of 20 µm
+            np.testing.assert_allclose(stiffness @ np.hstack([moved[:3], turn]), step, rtol=0, atol=1e-3 * 20.0)
 
     def test_problems_without_an_answer_say_why(self) -> None:
-        lengths = np.full(8, 1.0)
+        lengths = np.full(8, 50.0)
         found = self.model.forward(lengths)
         self.assertFalse(found.converged.any())
         self.assertTrue(self.model.reason(lengths))
@@ -186,14 +179,14 @@ class Values(unittest.TestCase):
         self.assertTrue((apart.lengths[np.isfinite(apart.lengths)] < 0).all())
 
     def test_states_are_snapshots(self) -> None:
-        model = cdpr.Model(ELASTIC, "elastic")
+        model = cdpr.Model("planar-example")
         state = cdpr.State(model)
         before = state.copy()
-        home = model.robot.home
-        moved = home + [0.1, 0, 0, 0, 0, 0, 0]
-        model.forward(model.inverse(moved, [3000.0] * 8), state=state)
-        self.assertFalse(np.array_equal(state.pose, before.pose))
-        np.testing.assert_array_equal(before.pose, home)
+        rows = np.linspace([0.0, 5.0, 0.0][: model.robot.dof], [0.5, 4.0, 0.0][: model.robot.dof], 6)
+        found = model.forward(model.inverse(rows), state=state).raise_for_status()
+        np.testing.assert_allclose(model.robot.components(state.pose), rows[-1], atol=1e-9)
+        np.testing.assert_allclose(model.robot.components(found.poses), rows, atol=1e-9)
+        np.testing.assert_array_equal(before.pose, model.robot.home)
 
     def test_planar_robots_take_their_own_components(self) -> None:
         model = cdpr.Model("planar-example")

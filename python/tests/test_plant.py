@@ -94,7 +94,7 @@ class Controllers(unittest.TestCase):
     def test_holding_in_python_is_holding(self) -> None:
         ours = cdpr.run(scenario(), controller=Hold())
         theirs = cdpr.run(scenario())
-        self.assertEqual(ours.written["result/log.csv"], theirs.written["result/log.csv"])
+        self.assertEqual(ours.attached["result/log.csv"], theirs.attached["result/log.csv"])
         self.assertEqual(len(ours.table["t_s"]), len(ours.to_pandas()))
 
     def test_speeds_are_commands_and_damp(self) -> None:

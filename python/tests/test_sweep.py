@@ -48,7 +48,7 @@ class Rows(unittest.TestCase):
     def files(self, result: cdpr.Result) -> None:
         """Compares the files of a result with those of the command."""
         for name in ("result.json", "result.csv", "result.svg"):
-            self.assertEqual(result.written[f"sweep/{name}"], self.at(name), name)
+            self.assertEqual(result.attached[f"sweep/{name}"], self.at(name), name)
 
     def at(self, name: str) -> bytes:
         # the name of the folder is in result.json
@@ -114,7 +114,7 @@ class OnDask(unittest.TestCase):
         import dask
 
         plan = cdpr.sweep.plan(SWEEP)
-        expected = hashlib.sha256(cdpr.sweep.run(plan).written["sweep/result.json"]).hexdigest()
+        expected = hashlib.sha256(cdpr.sweep.run(plan).attached["sweep/result.json"]).hexdigest()
         with (
             dask.config.set({"distributed.scheduler.allowed-failures": 0}),
             LocalCluster(n_workers=2, threads_per_worker=1, processes=True, dashboard_address=None) as cluster,
@@ -122,7 +122,7 @@ class OnDask(unittest.TestCase):
             tempfile.TemporaryDirectory() as folder,
         ):
             def digest(result: cdpr.Result) -> str:
-                return hashlib.sha256(result.written["sweep/result.json"]).hexdigest()
+                return hashlib.sha256(result.attached["sweep/result.json"]).hexdigest()
 
             self.assertEqual(digest(cdpr.dask.sweep(client, plan)), expected)
 
@@ -144,8 +144,8 @@ class OnDask(unittest.TestCase):
 
             self.assertEqual(digest(cdpr.dask.sweep(client, plan, compute=slow, progress=kill)), expected)
             self.assertTrue(killed)
-            children = subprocess.run(["ps", "-eo", "comm"], capture_output=True, text=True, check=True).stdout.split()
-            self.assertNotIn("cdpr", children)
+            processes = subprocess.run(["ps", "-eo", "ppid=,comm="], capture_output=True, text=True, check=True).stdout
+            self.assertNotIn(["1", "cdpr"], [line.split() for line in processes.splitlines()])
 
 
 if __name__ == "__main__":

@@ -3,8 +3,8 @@
 use std::sync::{Arc, Mutex, PoisonError};
 
 use cdpr::Robot as RobotData;
-use cdpr::equilibrium::{self, ForwardAnswers, ForwardRows, ForwardSettings, Status};
-use cdpr::geometry::Pose;
+use cdpr::equilibrium::{self, ForwardAnswers, ForwardRows, ForwardSettings, RowsError, Status};
+use cdpr::geometry::{Pose, PoseBatch};
 use cdpr::nalgebra::DMatrix;
 use cdpr::statics::Stiffness;
 use cdpr::tension;
@@ -17,13 +17,13 @@ use crate::error::{OrRaise, mistaken};
 use crate::robot::Robot;
 
 /// A robot with chosen effects. Immutable; any number of threads may use it.
-#[pyclass(frozen, module = "cdpr._cdpr", subclass)]
+#[pyclass(frozen, module = "cdpr._cdpr")]
 pub(crate) struct Model {
     pub(crate) model: Arc<cdpr::Model>,
 }
 
 /// What a robot's cables remember, and the last pose found.
-#[pyclass(frozen, module = "cdpr._cdpr", subclass)]
+#[pyclass(frozen, module = "cdpr._cdpr")]
 pub(crate) struct State {
     state: Mutex<equilibrium::State>,
 }
@@ -108,11 +108,17 @@ impl Model {
                 return Err(mistaken(py, "array::unfit", message, "give one row per pose, or one for all"));
             }
         };
-        let state = self.state(state.as_deref());
         let lengths = room(py, out, &[poses.count, cables], poses.is_single)?;
         {
             let mut writing = writable(&lengths)?;
             let room = writing.as_slice_mut()?;
+            if let Some(state) = state.as_deref() {
+                let poses = poses.all(py)?;
+                py.detach(|| course_of_lengths(model, &poses, all, &mut state.lock(), room));
+                drop(writing);
+                return Ok(lengths);
+            }
+            let state = equilibrium::State::at_home(model);
             let computed = poses.in_parts(|first, rows| {
                 let places = first * cables..(first + rows.len()) * cables;
                 let (own, part) = (&all[places.clone()], &mut room[places]);
@@ -138,14 +144,16 @@ impl Model {
         let load = choices::load_if_given(py, model.robot(), wrench)?;
         let guesses: Vec<[f64; 7]> = match guess {
             Some(guess) => Poses::of(guess, model.robot(), "guess")?.all(py)?.iter().map(Pose::numbers).collect(),
+            // a course goes on from its state
+            None if state.is_some() => Vec::new(),
             None => vec![model.robot().home_or_middle().numbers()],
         };
         let count = lengths.count;
         let numbers = lengths.contiguous();
-        let mut memory = self.state(state.as_deref());
         let (mut poses, mut statuses) = (vec![[0.0; 7]; count], vec![Status::NotConverged; count]);
         let (mut residual_rms, mut iterations) = (vec![0.0; count], vec![0; count]);
         let mut tensions = vec![f64::NAN; count * cables];
+        let state = state.as_deref();
         let computed = py.detach(|| {
             let problems = ForwardRows { lengths: &numbers, guesses: guesses[..].into(), load: load.as_ref() };
             let answers = ForwardAnswers {
@@ -155,12 +163,15 @@ impl Model {
                 iterations: Some(&mut iterations),
                 tensions: Some(&mut tensions),
             };
-            model.forward_of_rows(&problems, &ForwardSettings::default(), &mut memory, answers)
+            match state {
+                Some(state) => course_of_poses(model, &problems, &mut state.lock(), answers),
+                None => {
+                    let mut state = equilibrium::State::at_home(model);
+                    model.forward_of_rows(&problems, &ForwardSettings::default(), &mut state, answers)
+                }
+            }
         });
         computed.or_raise(py)?;
-        if let Some(state) = state {
-            *state.lock() = memory;
-        }
         let codes: Vec<u8> = statuses.iter().map(|status| *status as u8).collect();
         let has_tensions = count == 0 || tensions.iter().any(|tension| tension.is_finite());
         let shape = [count, cables];
@@ -282,11 +293,59 @@ impl Model {
     }
 }
 
-impl Model {
-    fn state(&self, state: Option<&State>) -> equilibrium::State {
-        state.map_or_else(|| equilibrium::State::at_home(&self.model), |state| state.lock().clone())
+/// Lengths along a course of poses under tensions, of cables that remember; NaN where there are none.
+fn course_of_lengths(
+    model: &cdpr::Model,
+    poses: &[Pose],
+    tensions: &[f64],
+    state: &mut equilibrium::State,
+    lengths: &mut [f64],
+) {
+    let cables = model.cable_count();
+    for ((pose, own), row) in poses.iter().zip(tensions.chunks_exact(cables)).zip(lengths.chunks_exact_mut(cables)) {
+        match model.inverse(pose, own, state) {
+            Ok(found) => row.iter_mut().zip(&found.cables).for_each(|(place, own)| *place = own.controlled_length),
+            Err(_) => row.fill(f64::NAN),
+        }
+        state.settle_inverse(model);
     }
+}
 
+/// Poses along a course of lengths, of cables that remember; without guesses each search begins at the pose before.
+fn course_of_poses(
+    model: &cdpr::Model,
+    problems: &ForwardRows<'_>,
+    state: &mut equilibrium::State,
+    answers: ForwardAnswers<'_>,
+) -> Result<(), RowsError> {
+    let (cables, settings) = (model.cable_count(), ForwardSettings::default());
+    let ForwardAnswers { poses, statuses, residual_rms, iterations, tensions } = answers;
+    let (mut residual_rms, mut iterations, mut tensions) = (residual_rms, iterations, tensions);
+    let mut guesses = PoseBatch::default();
+    guesses.fill_rows(problems.guesses)?;
+    for (row, lengths) in problems.lengths.chunks_exact(cables).enumerate() {
+        let guess = match guesses.len() {
+            0 => state.pose(),
+            1 if row > 0 => state.pose(),
+            count => guesses.get(row.min(count - 1)),
+        };
+        let solution = model.forward_with(&settings, lengths, problems.load, Some(&guess), state)?;
+        (poses[row], statuses[row]) = (solution.pose.numbers(), solution.status);
+        if let Some(places) = &mut residual_rms {
+            places[row] = solution.residual_rms;
+        }
+        if let Some(places) = &mut iterations {
+            places[row] = solution.iterations;
+        }
+        if let Some(places) = &mut tensions {
+            places[row * cables..][..cables].iter_mut().zip(&solution.tensions).for_each(|(place, own)| *place = *own);
+        }
+        state.settle_forward(model);
+    }
+    Ok(())
+}
+
+impl Model {
     /// A matrix for each pose; NaN where there is none.
     fn matrices<'py>(
         &self,

@@ -58,13 +58,13 @@ impl Kind {
 }
 
 /// A machine in time. Immutable; its changing quantities are in a `PlantState`.
-#[pyclass(frozen, module = "cdpr._cdpr", subclass)]
+#[pyclass(frozen, module = "cdpr._cdpr")]
 pub(crate) struct Plant {
     plant: Arc<plant::Plant>,
 }
 
 /// State of a machine in time; a copy is a snapshot.
-#[pyclass(frozen, module = "cdpr._cdpr", subclass)]
+#[pyclass(frozen, module = "cdpr._cdpr")]
 pub(crate) struct PlantState {
     inside: Mutex<Inside>,
 }

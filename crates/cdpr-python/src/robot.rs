@@ -11,7 +11,7 @@ use crate::arrays::array;
 use crate::error::{OrRaise, mistaken};
 
 /// A robot: anchors, cables, platform, limits. Immutable.
-#[pyclass(frozen, module = "cdpr._cdpr", subclass)]
+#[pyclass(frozen, module = "cdpr._cdpr")]
 pub(crate) struct Robot {
     pub(crate) robot: Arc<robot::Robot>,
 }

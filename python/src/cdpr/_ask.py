@@ -6,7 +6,7 @@ import json
 import os
 import sys
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING, Any, Protocol, TypeVar, runtime_checkable
+from typing import TYPE_CHECKING, Any, Protocol, TypeVar, overload, runtime_checkable
 
 from . import _cdpr
 from ._arrays import Progress, plain
@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from ._result import Result
 
     R = TypeVar("R", bound=Result)
+    S = TypeVar("S", bound=Result)
 
 
 @runtime_checkable
@@ -57,7 +58,7 @@ class Call:
         if isinstance(value, Input):
             return value._put(self)
         if isinstance(value, os.PathLike):
-            return os.fspath(value)
+            return str(os.fspath(value))
         if isinstance(value, Mapping):
             return ",".join(f"{key}={self.word(own)}" for key, own in value.items())
         if isinstance(value, (str, int, float)):
@@ -84,8 +85,9 @@ class Call:
         return [*self.words, *self.options]
 
 
+@overload
 def ask(
-    result: type[R] | tuple[type[R], ...],
+    result: type[R],
     command: str,
     positionals: Sequence[Any],
     options: Mapping[str, Any],
@@ -95,7 +97,36 @@ def ask(
     progress: Progress = None,
     threads: int | None = None,
     controller: Any = None,
-) -> R:
+) -> R: ...
+
+
+@overload
+def ask(
+    result: tuple[type[R], type[S]],
+    command: str,
+    positionals: Sequence[Any],
+    options: Mapping[str, Any],
+    *,
+    outputs: Mapping[str, str] | None = None,
+    repeating: Iterable[str] = (),
+    progress: Progress = None,
+    threads: int | None = None,
+    controller: Any = None,
+) -> R | S: ...
+
+
+def ask(
+    result: Any,
+    command: str,
+    positionals: Sequence[Any],
+    options: Mapping[str, Any],
+    *,
+    outputs: Mapping[str, str] | None = None,
+    repeating: Iterable[str] = (),
+    progress: Progress = None,
+    threads: int | None = None,
+    controller: Any = None,
+) -> Any:
     """Returns the answer of a command: a ``result``, or that of several which fits it best.
 
     ``outputs`` are options whose files are kept in memory and go with the result. A wrong argument or file raises

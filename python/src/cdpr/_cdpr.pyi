@@ -7,9 +7,24 @@ import numpy as np
 import numpy.typing as npt
 from typing_extensions import Self
 
+__all__ = [
+    "Measured",
+    "Model",
+    "Plant",
+    "PlantState",
+    "PreparedSweep",
+    "Robot",
+    "Setpoint",
+    "State",
+    "ask",
+    "builtin_names",
+    "command",
+]
+
 _Array = npt.NDArray[np.float64]
 _Limits = tuple[Any, Any] | None
 
+@final
 class Robot:
     @staticmethod
     def from_toml(text: bytes, name: str) -> Robot: ...
@@ -44,6 +59,7 @@ class Robot:
     def components(self, poses: Any) -> _Array: ...
     def quaternions(self, poses: Any) -> _Array: ...
 
+@final
 class Model:
     def __new__(cls, robot: Robot, composition: str) -> Self: ...
     @property
@@ -63,6 +79,7 @@ class Model:
     def structure_matrix(self, poses: Any, out: Any = None) -> _Array: ...
     def stiffness(self, poses: Any, tensions: Any, wrench: Any = None, out: Any = None) -> _Array: ...
 
+@final
 class State:
     def __new__(cls, model: Model, pose: Any = None) -> Self: ...
     @property
@@ -71,6 +88,7 @@ class State:
     def __copy__(self) -> State: ...
     def __deepcopy__(self, _memo: Any, /) -> State: ...
 
+@final
 class Plant:
     def __new__(cls, model: Model, winches: str = "ideal") -> Self: ...
     def at_rest(self, pose: Any, tensions: Any) -> PlantState: ...
@@ -80,6 +98,7 @@ class Plant:
         self, state: PlantState, commands: Any, dt: float, every: int = 1, kind: str = "lengths"
     ) -> tuple[_Array, _Array, _Array, _Array, _Array, str | None]: ...
 
+@final
 class PlantState:
     @property
     def time(self) -> float: ...

@@ -80,7 +80,7 @@ class Document:
         return call.file(self._name, self._text)
 
     def __eq__(self, other: object) -> bool:
-        return type(self) is type(other) and self._state() == other._state()  # type: ignore[attr-defined]
+        return type(self) is type(other) and self._state() == other._state()
 
     def __hash__(self) -> int:
         return hash((type(self), self._text))

@@ -59,7 +59,7 @@ class Forward:
     @property
     def converged(self) -> npt.NDArray[np.bool_]:
         """True (N,) where the pose is the solution."""
-        return self.status == Status.CONVERGED
+        return np.equal(self.status, Status.CONVERGED)
 
     def raise_for_status(self) -> Forward:
         """Returns itself if all problems converged; raises :class:`cdpr.Error` otherwise."""
@@ -86,16 +86,17 @@ class Tensions:
     @property
     def feasible(self) -> npt.NDArray[np.bool_]:
         """True (N,) where the tensions balance the load within the limits."""
-        return self.status == TensionStatus.FEASIBLE
+        return np.equal(self.status, TensionStatus.FEASIBLE)
 
     def __repr__(self) -> str:
         return f"<cdpr.Tensions: {int(self.feasible.sum())} of {self.status.size} feasible>"
 
 
 class State:
-    """What a robot's cables remember (hysteresis), and the last pose found: passed to calls of :class:`Model`, which go on from it.
+    """What a robot's cables remember (hysteresis), and the pose at which it settled last.
 
-    A copy is a snapshot.
+    Passed to :meth:`Model.inverse` or :meth:`Model.forward`, the rows are a course in time: each settles the robot, and the next goes on from
+    there. A copy is a snapshot.
     """
 
     __slots__ = ("_data",)
@@ -105,7 +106,7 @@ class State:
 
     @property
     def pose(self) -> Array:
-        """The last pose found (7,)."""
+        """The pose at which the robot settled last (7,)."""
         return self._data.pose
 
     def copy(self) -> State:
@@ -178,14 +179,15 @@ class Model:
 
         ``tensions`` (N, m) or (m,) in newtons, for models whose lengths depend on them; if left out, those nearest to the middle of the
         limits that balance the load (exact quadratic programme, as ``cdpr ik``). NaN where a cable has no path, or where no tensions
-        within the limits balance the load. ``out`` (N, m): array to write into, which is returned.
+        within the limits balance the load. ``out`` (N, m): array to write into, which is returned. ``state``: cables remember the rows
+        before.
         """
         data = self._data
         if tensions is None:
             if not data.needs_tensions:
                 return data.lengths(poses, out)
             tensions = self._balanced(poses, wrench, limits)
-        return data.lengths_under(poses, tensions, state and state._data, out)
+        return data.lengths_under(poses, tensions, None if state is None else state._data, out)
 
     def lengths(self, poses: Numbers, out: Array | None = None) -> Array:
         """Returns the geometric lengths (N, m) in metres, from the anchor or the drum's side of the pulley to the platform anchor.
@@ -208,7 +210,7 @@ class Model:
         pattern (N, N·m; world axes, moment about the platform origin), in place of the robot's own.
         """
         poses, status, residual_rms, iterations, tensions = self._data.forward(
-            lengths, guess, wrench, state and state._data
+            lengths, guess, wrench, None if state is None else state._data
         )
         return Forward(poses, status, residual_rms, iterations, tensions)
 

@@ -103,7 +103,7 @@ class Result:
         return json.dumps(self._data, ensure_ascii=False, indent=indent)
 
     @property
-    def written(self) -> Mapping[str, bytes]:
+    def attached(self) -> Mapping[str, bytes]:
         """Files that came with the answer, by name: calibrated robots, tables, figures, pages."""
         return MappingProxyType(dict(self._written))
 
@@ -190,7 +190,8 @@ def pandas_of(rows: list[dict[str, Any]]) -> pd.DataFrame:
         import pandas
     except ImportError as error:
         raise ImportError("tables need pandas: pip install pandas") from error
-    return pandas.DataFrame(rows)
+    table: pd.DataFrame = pandas.DataFrame(rows)
+    return table
 
 
 def _restored(

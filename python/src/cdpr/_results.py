@@ -12,10 +12,11 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _answers
-from ._answers import *
+from ._answers import Capability as Capability, Chain as Chain, Dynamics as Dynamics, Evaluation as Evaluation, Explanation as Explanation, ForwardKinematics as ForwardKinematics, InitialTensions as InitialTensions, InverseKinematics as InverseKinematics, ModelEffects as ModelEffects, NoHangingPose as NoHangingPose, PlatformLoad as PlatformLoad, RobotCheck as RobotCheck, Stiffness as Stiffness, Study as Study, SweepProgress as SweepProgress, Tensions as Tensions, TestBench as TestBench
 from ._arrays import Array
 from ._errors import Error
 from ._model import Model
+from ._result import Result
 from ._robot import Robot
 from ._samples import Samples
 
@@ -23,7 +24,7 @@ if TYPE_CHECKING:
     from ._ask import Call
 
 
-class _Calibrated(_answers.Result):
+class _Calibrated(Result):
     """A result with a calibrated robot."""
 
     __slots__ = ()
@@ -31,7 +32,7 @@ class _Calibrated(_answers.Result):
     @property
     def calibrated(self) -> Robot:
         """The robot with the identified numbers; its file says in ``[calibration] status`` how far they are to be trusted."""
-        return Robot.from_toml(self.written["calibrated.toml"], "calibrated.toml")
+        return Robot.from_toml(self.attached["calibrated.toml"], "calibrated.toml")
 
 
 class Candidate(_answers.Candidate):
@@ -42,9 +43,9 @@ class Candidate(_answers.Candidate):
     @property
     def calibrated(self) -> Robot:
         """The robot with the numbers that this candidate identified. Raises :class:`cdpr.Error` if it could not be identified."""
-        if "calibrated.toml" not in self.written:
+        if "calibrated.toml" not in self.attached:
             raise Error("data::not-identified", f"`{self.name}` could not be identified: {self.failure}")
-        return Robot.from_toml(self.written["calibrated.toml"], "calibrated.toml")
+        return Robot.from_toml(self.attached["calibrated.toml"], "calibrated.toml")
 
     def to_model(self) -> Model:
         """Returns the calibrated control model."""
@@ -58,13 +59,13 @@ class Selection(_answers.Selection):
     _TABLE = "candidates"
 
     @property
-    def candidates(self) -> tuple[Candidate, ...]:  # type: ignore[override]
+    def candidates(self) -> tuple[Candidate, ...]:
         """The candidates, from simple to complex."""
-        places = {name.split("/")[-1].split("-")[0]: name for name in self.written if "/calibrated/" in f"/{name}"}
+        places = {name.split("/")[-1].split("-")[0]: name for name in self.attached if "/calibrated/" in f"/{name}"}
         out = []
         for number, own in enumerate(self._data["candidates"]):
             file = places.get(f"{number + 1:02}")
-            out.append(Candidate._of(own, {"calibrated.toml": self.written[file]} if file else {}))
+            out.append(Candidate._of(own, {"calibrated.toml": self.attached[file]} if file else {}))
         return tuple(out)
 
     @property
@@ -101,7 +102,7 @@ class SelfCalibration(_answers.SelfCalibration, _Calibrated):
     @property
     def pose_table(self) -> Samples:
         """Poses of the samples, row by row as the data, in the frame of the calibrated anchors."""
-        return Samples("poses.csv", self.written["poses.csv"], None, {})
+        return Samples("poses.csv", self.attached["poses.csv"], None, {})
 
 
 class Plan(_answers.Plan):
@@ -124,7 +125,7 @@ class Simulation(_answers.Simulation):
     @property
     def table(self) -> Samples:
         """The measurements, with the accuracies of the study's sensors."""
-        return Samples("samples.csv", self.written["samples.csv"], self.written.get("samples.meta.toml"), {})
+        return Samples("samples.csv", self.attached["samples.csv"], self.attached.get("samples.meta.toml"), {})
 
 
 class PlacedPulleys(_answers.PlacedPulleys):
@@ -135,7 +136,7 @@ class PlacedPulleys(_answers.PlacedPulleys):
     @property
     def placed(self) -> Robot:
         """The robot with the pulleys."""
-        return Robot.from_toml(self.written["robot.toml"], "robot.toml")
+        return Robot.from_toml(self.attached["robot.toml"], "robot.toml")
 
 
 class Compensation(_answers.Compensation):
@@ -144,7 +145,7 @@ class Compensation(_answers.Compensation):
     __slots__ = ()
 
     def _put(self, call: Call) -> str:
-        return call.file("map.toml", self.written["map.toml"])
+        return call.file("map.toml", self.attached["map.toml"])
 
 
 @dataclass(frozen=True, eq=False)
@@ -181,9 +182,9 @@ class Workspace(_answers.Workspace):
         return float(data["area_m2"] if "area_m2" in data else data["volume_m3"])
 
     @property
-    def surface(self) -> Mesh:
+    def boundary(self) -> Mesh:
         """Surface of the workspace; only with ``mesh=True``."""
-        return _mesh(self.written, "mesh.stl", "mesh")
+        return _mesh(self.attached, "mesh.stl", "mesh")
 
 
 class Reachable(_answers.Reachable):
@@ -192,14 +193,14 @@ class Reachable(_answers.Reachable):
     __slots__ = ()
 
     @property
-    def surface(self) -> Mesh:
+    def boundary(self) -> Mesh:
         """Surface of the commanded poses that are reached; only with ``mesh=True``."""
-        return _mesh(self.written, "mesh.stl", "mesh")
+        return _mesh(self.attached, "mesh.stl", "mesh")
 
     @property
-    def emerging_surface(self) -> Mesh:
+    def emerging_boundary(self) -> Mesh:
         """Surface of the poses that emerge; only with ``emerging_mesh=True``."""
-        return _mesh(self.written, "emerging.stl", "emerging_mesh")
+        return _mesh(self.attached, "emerging.stl", "emerging_mesh")
 
 
 def _mesh(written: Any, name: str, argument: str) -> Mesh:
@@ -216,20 +217,20 @@ class Run(_answers.Run):
     @property
     def table(self) -> dict[str, Array]:
         """Columns of the log by name, with their units: ``t_s``, ``x_m``, … ``tension_N_1``, …"""
-        return _columns(self.written["result/log.csv"])
+        return _columns(self.attached["result/log.csv"])
 
     @property
     def sensor_tables(self) -> dict[str, dict[str, Array]]:
         """Columns of the sensors' files by file, e.g. ``measurements.csv``; NaN in empty cells."""
         names = ("measurements.csv", "imu.csv", "tracker.csv")
-        return {name: _columns(self.written[f"result/{name}"]) for name in names if f"result/{name}" in self.written}
+        return {name: _columns(self.attached[f"result/{name}"]) for name in names if f"result/{name}" in self.attached}
 
     def to_samples(self) -> Samples:
         """Returns the measurements of the machine's sensors, for :func:`cdpr.identify` and others."""
-        if "result/measurements.csv" not in self.written:
+        if "result/measurements.csv" not in self.attached:
             raise Error("run::no-sensors", "the machine has no sensors", "give the scenario a table `[sensors]`")
-        sidecar = self.written.get("result/measurements.meta.toml")
-        return Samples("measurements.csv", self.written["result/measurements.csv"], sidecar, {})
+        sidecar = self.attached.get("result/measurements.meta.toml")
+        return Samples("measurements.csv", self.attached["result/measurements.csv"], sidecar, {})
 
     def to_pandas(self) -> Any:
         """Returns the log as a table."""

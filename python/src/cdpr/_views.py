@@ -47,4 +47,4 @@ def self_calibrate(
 def explain(code: str) -> str:
     """Returns the page about an error's code or a finding, e.g. ``"finding::scale"``: what happened, causes, how to mend it."""
     answer = ask(results.Explanation, "explain", [code], {})
-    return str(answer.to_dict()["text"])
+    return str(answer.to_dict()["explanation"])

@@ -4,8 +4,8 @@
 >>> result = cdpr.dask.sweep(Client(), "sweep.toml", folder="s3://bucket/sweep")  # doctest: +SKIP
 
 A worker prepares the plan once. Points go out in chunks that take about as long as their hand-out is worth, by the time that the first ones
-took. A worker that dies loses its chunk, which another one computes; a point at which workers die again and again is asked for alone and
-reported, and the rest finishes. There is no engine of our own: any scheduler may call :func:`cdpr.sweep.row`.
+took. A worker that dies loses its chunk, which another one computes; points at which workers die again and again are asked for one by one, with
+nothing beside them, so that the one at fault is reported alone, and the rest finishes. There is no engine of our own: any scheduler may call :func:`cdpr.sweep.row`.
 """
 
 from __future__ import annotations
@@ -13,16 +13,16 @@ from __future__ import annotations
 import os
 import time
 from collections.abc import Callable, Iterable, Sequence
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 from ._arrays import Path, Progress
 from ._ask import observer
 from ._documents import Sweep
 from ._errors import Error
-from .sweep import Plan, merge, plan, row
+from .sweep import Merged, Plan, merge, plan, row
 
 if TYPE_CHECKING:
-    from distributed import Client, Future
+    from distributed import Client
 
 __all__ = ["FailedPoints", "rows", "sweep"]
 
@@ -55,7 +55,7 @@ def sweep(
     folder: Path | None = None,
     progress: Progress = None,
     compute: Callable[[bytes, int], bytes] = row,
-) -> Any:
+) -> Merged:
     """Returns the result of a sweep whose rows the workers of a cluster compute.
 
     ``folder``: a folder, or an address that ``fsspec`` knows (``s3://…``), where plan and rows are kept: a sweep that was interrupted goes on
@@ -114,10 +114,11 @@ def _computed(
 class _HandOut:
     """Points on their way to workers and back."""
 
-    def __init__(self, client: Client, plan: Plan, compute: Callable[[bytes, int], bytes]) -> None:
+    def __init__(self, client: Any, plan: Plan, compute: Callable[[bytes, int], bytes]) -> None:
         self.client, self.compute = client, compute
-        self.data = client.scatter(plan.data, broadcast=True)
-        self.on_way: dict[Future, list[int]] = {}
+        # goes with every chunk: what is scattered is lost with the workers that hold it
+        self.data = plan.data
+        self.on_way: dict[Any, list[int]] = {}
         self.failed: dict[int, str] = {}
 
     def computed(self, points: list[int]) -> Iterable[tuple[int, bytes]]:
@@ -127,8 +128,14 @@ class _HandOut:
 
         threads = max(1, sum(self.client.nthreads().values()))
         waiting, size = list(points), 1
-        coming = as_completed([], raise_errors=False)
-        while waiting or self.on_way:
+        # points that were at work where a worker died: each is asked for again with nothing beside it
+        suspects: list[int] = []
+        coming: Any = as_completed  # untyped
+        coming = coming([], raise_errors=False)
+        while waiting or suspects or self.on_way:
+            is_alone = not waiting and not self.on_way
+            if is_alone:
+                coming.add(self._submit([suspects.pop(0)]))
             # two chunks for each thread: one at work, one at hand
             while waiting and len(self.on_way) < 2 * threads:
                 chunk, waiting = waiting[:size], waiting[size:]
@@ -144,19 +151,17 @@ class _HandOut:
                     else:
                         yield point, own
                 continue
-            error = future.exception()
-            if len(chunk) == 1:
-                is_killed = isinstance(error, KilledWorker)
+            error = future.exception() if future.status == "error" else None
+            if is_alone:
+                is_killed = error is None or isinstance(error, KilledWorker)
                 self.failed[chunk[0]] = "workers died at it" if is_killed else f"{type(error).__name__}: {error}"
             else:
-                # one point among them is at fault: each alone
-                for point in chunk:
-                    coming.add(self._submit([point]))
+                suspects += chunk
 
-    def _submit(self, chunk: list[int]) -> Future:
+    def _submit(self, chunk: list[int]) -> Any:
         future = self.client.submit(_computed, self.compute, self.data, chunk, pure=False, retries=0)
         self.on_way[future] = chunk
-        return cast("Future", future)
+        return future
 
     def cancel(self) -> None:
         """Takes back what is on its way."""

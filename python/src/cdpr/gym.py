@@ -68,4 +68,4 @@ class PlantEnv(gymnasium.Env[npt.NDArray[np.float64], npt.NDArray[np.float64]]):
         return observation, float(self.reward(observation, rates)), bool(info), False, info
 
     def _observed(self) -> Array:
-        return self.state.observe(np.empty(self.observation_space.shape))
+        return self.state.observe(np.empty(self.observation_space.shape or ()))

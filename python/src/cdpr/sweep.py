@@ -15,7 +15,9 @@ from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache
 from pathlib import Path as FilePath
-from typing import Any
+from typing import TypeAlias
+
+import numpy as np
 
 from . import _cdpr
 from . import _results as results
@@ -25,7 +27,7 @@ from ._documents import Sweep
 from ._errors import Error
 from ._robot import save
 
-import numpy as np
+Merged: TypeAlias = "results.SweepResult | results.CalibrationCosts"
 
 __all__ = ["Plan", "merge", "plan", "row", "run"]
 
@@ -102,7 +104,7 @@ def _no_point(point: int, count: int) -> Error:
 def plan(sweep: Sweep | Path) -> Plan:
     """Returns the plan of a sweep, or of the path of a sweep file."""
     result = ask(results.SweepProgress, "sweep plan", [sweep], {}, outputs={"out": "sweep"})
-    return Plan(result.files["sweep/plan.json"])
+    return Plan(result.attached["sweep/plan.json"])
 
 
 def row(plan: bytes, point: int) -> bytes:
@@ -118,7 +120,7 @@ def row(plan: bytes, point: int) -> bytes:
     return found
 
 
-def merge(plan: Plan, rows: Iterable[bytes] | Mapping[int, bytes] | None = None, folder: Path | None = None) -> Any:
+def merge(plan: Plan, rows: Iterable[bytes] | Mapping[int, bytes] | None = None, folder: Path | None = None) -> Merged:
     """Returns the result of the rows of all points, in any order: of a mapping by point, or of the folder in which they stand.
 
     Raises :class:`cdpr.Error` where rows are missing or belong to another plan.
@@ -131,7 +133,7 @@ def merge(plan: Plan, rows: Iterable[bytes] | Mapping[int, bytes] | None = None,
         files.update({f"sweep/rows/{plan.row_name(point)}": own for point, own in rows.items()})
     elif rows is not None:
         files.update({f"sweep/rows/{plan.row_name(point_of(own))}": own for own in rows})
-    return ask(results.SweepResult, "sweep merge", [_Files(files)], {})
+    return ask((results.SweepResult, results.CalibrationCosts), "sweep merge", [_Files(files)], {})
 
 
 def point_of(row: bytes) -> int:
@@ -159,7 +161,7 @@ def run(
     workers: int | None = None,
     progress: Progress = None,
     compute: Callable[[bytes, int], bytes] = row,
-) -> Any:
+) -> Merged:
     """Plans, computes and merges a sweep in this process, with ``workers`` threads (all processors if left out), and returns its result.
 
     ``folder``: keeps plan and rows there, and goes on where an earlier run ended. The result is the same for any number of workers.
