@@ -7,9 +7,12 @@ mod words;
 use std::io::Write;
 use std::process::ExitCode;
 
+/// Makes types of another language from a schema.
+type Translation = fn(&serde_json::Value) -> Result<String, String>;
+
 fn main() -> ExitCode {
     let words: Vec<String> = std::env::args().skip(1).collect();
-    let (translate, path): (fn(&serde_json::Value) -> Result<String, String>, _) = match words.as_slice() {
+    let (translate, path): (Translation, _) = match words.as_slice() {
         [path] => (typescript::interfaces, path),
         [option, path] if option == "--python" => (python::module, path),
         _ => return failed("usage: page-types [--python] SCHEMA"),

@@ -8,7 +8,7 @@ use serde::Serialize;
 
 use super::RatingAnswer;
 use super::summary_parts::MOST_CHANGES;
-use crate::keys::adapters::nullable_numbers;
+use crate::keys::table_schema::nullable_numbers;
 use crate::keys::{
     CoverageKeys, Each, JudgementKeys, Maybe, OutlierKeys, RecordingFrameKeys, ShiftKeys, WarningKeys, Word,
 };
