@@ -7,11 +7,11 @@ export type AngularRate = number | [number, number, number];
 /** The criterion of the model as given, and how many times as large it is. */
 export interface AsGiven {
   /** Criterion of the model as given (m, rad or N). */
-  criterion: number;
+  criterion: number | null;
   /** Name. */
   name: string;
   /** Criterion of the model as given, divided by that of the verdict's candidate. */
-  ratio: number;
+  ratio: number | null;
 }
 
 /** Assumed number of a robot file: no source states it and nobody measured it. */
@@ -39,17 +39,21 @@ export interface Cable {
 
 /** A candidate of a comparison. */
 export interface Candidate {
+  /** −2 ln L · (effective rows/rows) + 2 k. */
   aic?: number | null;
+  /** The same corrected for few rows, + 2 k (k + 1)/(n − k − 1); null where there are as many parameters as rows. */
   aicc?: number | null;
+  /** −2 ln L · (effective rows/rows) + k ln n. */
   bic?: number | null;
   /** Doubts about the parameters with their numbers. */
   cautions?: string[];
-  /** How late poses are recorded, where the offset of the clocks was free. */
+  /** How late poses are recorded (s), where the offset of the clocks was free. */
   clock_offset_s?: number | null;
   /** Error by which candidates are compared, on the same samples as that of the best; null for one that is not compared. */
   compared?: Compared | null;
   /** Validation samples that criterion and standard error are of. */
   compared_samples?: number;
+  /** Ratio of the largest to the smallest singular value; null below full rank. */
   condition?: number | null;
   /** Condition with columns of length one. */
   condition_scaled?: number | null;
@@ -63,7 +67,9 @@ export interface Candidate {
   disqualified?: string | null;
   /** Reasons not to trust the candidate. */
   distrust?: string[];
+  /** Directions that the data determine: one with a prior counts by the share that the data tell, 1 − σ²/σ_prior². */
   effective_parameters?: number | null;
+  /** As many independent rows as these tell: rows divided by the correlation time of consecutive samples. */
   effective_rows?: number | null;
   /** Reason why the candidate could not be identified. */
   failure?: string | null;
@@ -71,9 +77,11 @@ export interface Candidate {
   folds?: Fold[];
   /** Free parameters. */
   free: string;
+  /** Freedom that the data leave of them. */
   gauge?: Gauge;
   /** Weighted sum of squares after each step. */
   history?: number[];
+  /** Steps of the cable that needed most. */
   iterations?: number;
   /** Name in plain words, with the number of free parameters. */
   label: string;
@@ -81,8 +89,11 @@ export interface Candidate {
   leave_region_out?: HeldOut | null;
   /** Changes of recorded lengths inside the record, where they were free. */
   length_shifts?: LengthShift[];
+  /** ln L of the rows at the optimum. */
   log_likelihood?: number | null;
+  /** The loss of the optimum, as chosen or found. */
   loss?: string;
+  /** Pose of the marker on the platform, where it was free. */
   marker_frame?: FrameEstimate | null;
   /** Effects of the model. */
   model: string;
@@ -92,9 +103,13 @@ export interface Candidate {
   noise?: number | null;
   /** Residuals in units of the sensor accuracies. */
   noise_factor?: number | null;
+  /** Source of that noise. */
   noise_source?: string;
+  /** Samples beyond 8 robust standard deviations. */
   outliers?: Outlier[];
+  /** Number of free parameters. */
   parameter_count?: number;
+  /** The free parameters, ordered by cable. */
   parameters?: Estimate[];
   /** By held numbers within their accuracies. */
   pose_band_by_held_m?: number | null;
@@ -104,11 +119,15 @@ export interface Candidate {
   pose_band_m?: number | null;
   /** The largest at a sampled pose. */
   pose_band_max_m?: number | null;
+  /** Rank of the Jacobian of all residuals by all free parameters. */
   rank?: number;
+  /** The status in words, with numbers. */
   reason?: string;
   /** Mean position error as a fraction of the diagonal of the validation positions (eq. 3.5). */
   relative_position_error?: number | null;
+  /** The limits and how the candidate stands to them. */
   requirements?: RequirementOutcome[];
+  /** Rows that say something, without those of samples that no candidate explains. */
   rows?: number;
   /** Diagonal of the box of the sampled positions. */
   sampled_diagonal_m?: number | null;
@@ -116,9 +135,11 @@ export interface Candidate {
   set_aside_samples?: number;
   /** Singular values in SI units, from large to small (eq. 4.23). */
   singular_values?: number[];
+  /** Its standard error by block bootstrap. */
   standard_error?: number | null;
   /** How far the candidate may be relied on. */
   status?: string;
+  /** Pose of the tracker's world in the frame of the robot, where it was free. */
   tracker_frame?: FrameEstimate | null;
   /** Errors on the data of the fit. */
   train?: ErrorBlocks;
@@ -126,11 +147,15 @@ export interface Candidate {
   trusted?: boolean;
   /** Errors on data held out. */
   validation?: ErrorBlocks;
+  /** Warnings about the fit. */
   warnings?: string[];
+  /** Number of those directions; sentences tell several at once. */
   weak_direction_count?: number;
+  /** Largest standard deviation along any of them (m, scales times the mean length and the like); null where one is not determined at all, 0 without any. */
   weak_direction_deviation_m?: number | null;
   /** Directions in parameter space that the data leave open or nearly so. */
   weak_directions?: string[];
+  /** Whether wrenches are rows besides lengths: only candidates with the same rows are compared. */
   with_wrenches?: boolean;
 }
 
@@ -204,8 +229,11 @@ export interface Drum {
 
 /** Energy of platform, cables and weight. */
 export interface Energy {
+  /** Elastic energy of the cables at their controlled lengths. */
   elastic: number;
+  /** Kinetic energy of the platform and the drums. */
   kinetic: number;
+  /** Potential of the platform's weight and of constant forces, zero at the world's origin; moments of constant direction have none. */
   potential: number;
 }
 
@@ -213,20 +241,27 @@ export interface Energy {
 export interface ErrorBlocks {
   /** Samples whose forward problem has an answer. */
   answered: number;
+  /** Modelled minus recorded lengths at the measured poses (m). */
   length_error_m: LengthErrors;
   /** Samples with a modelled length of every cable. */
   length_samples: number;
   /** Samples whose forward problem has none. */
   not_converged: number;
+  /** Distance between predicted and measured position (m). */
   position_error_m: PoseErrors;
+  /** Geodesic angle between predicted and measured orientation (rad). */
   rotation_error_rad: PoseErrors;
+  /** Number of samples. */
   samples: number;
+  /** Modelled minus recorded swivel angles at the poses where measurements agree best; null where there are none. */
   swivel_error_rad?: LengthErrors | null;
+  /** Predicted minus recorded tensions; null for a model that knows none, or data without. */
   tension_error_N?: TensionErrors | null;
 }
 
 /** Identified parameter. */
 export interface Estimate {
+  /** True when the value lies on a bound, to rounding and the tolerance of the fit. */
   at_bound: boolean;
   /** Value minus start. */
   change: number | null;
@@ -242,13 +277,17 @@ export interface Estimate {
   start: number | null;
   /** Unit of the numbers; empty for a ratio. */
   unit: string;
+  /** Optimal value. */
   value: number | null;
 }
 
 /** Event that happened. */
 export interface Event {
+  /** Cable, from 1, of an event of one cable. */
   cable?: number | null;
+  /** Kind of the event. */
   kind: string;
+  /** Time (s). */
   time_s: number;
 }
 
@@ -256,6 +295,7 @@ export interface Event {
 export interface FinalState {
   /** Angle from the first to the second axis (rad), of a planar platform. */
   angle_rad?: number | null;
+  /** Angular velocity (rad/s). */
   angular_velocity_rad_s?: AngularRate | null;
   cable_lengths_m: number[];
   /** Position (m): three components, or the two of a planar robot. */
@@ -265,7 +305,9 @@ export interface FinalState {
   /** Angles of R = Rx Ry Rz (rad), of a spatial platform. */
   rotation_rad?: [number, number, number] | null;
   tensions_N: number[];
+  /** Time (s). */
   time_s: number;
+  /** Velocity of the platform origin (m/s). */
   velocity_m_s: number[];
 }
 
@@ -275,6 +317,7 @@ export interface Finding {
   cable: number | null;
   /** Fraction of the residuals' squares that it explains; null where it explains none. */
   explains: number | null;
+  /** Kind of the finding. */
   kind: string;
   /** Line of the data file where it begins, the header being line 1; null without a place. */
   line: number | null;
@@ -292,32 +335,47 @@ export interface Finding {
 export interface Fold {
   /** Samples whose forward problem has an answer. */
   answered: number;
+  /** Modelled minus recorded lengths at the measured poses (m). */
   length_error_m: LengthErrors;
   /** Samples with a modelled length of every cable. */
   length_samples: number;
+  /** Name of the fold. */
   name: string;
   /** Samples whose forward problem has none. */
   not_converged: number;
+  /** Distance between predicted and measured position (m). */
   position_error_m: PoseErrors;
+  /** Geodesic angle between predicted and measured orientation (rad). */
   rotation_error_rad: PoseErrors;
+  /** Number of samples. */
   samples: number;
+  /** Modelled minus recorded swivel angles at the poses where measurements agree best; null where there are none. */
   swivel_error_rad?: LengthErrors | null;
+  /** Predicted minus recorded tensions; null for a model that knows none, or data without. */
   tension_error_N?: TensionErrors | null;
 }
 
 /** Frame with its standard deviations. */
 export interface FrameEstimate {
+  /** Origin (m). */
   position_m: [number, number, number];
+  /** The same rotation. */
   quaternion_xyzw: [number, number, number, number];
+  /** Angles of R = Rx Ry Rz (rad). */
   rotation_rad: [number, number, number];
+  /** Standard deviations of the origin (m). */
   sigma_position_m: [number, number, number];
+  /** Standard deviations of small rotations about the axes of the frame that it is given in (rad). */
   sigma_rotation_rad: [number, number, number];
 }
 
 /** Freedom that the data leave of the frames, and what fixes it. */
 export interface Gauge {
+  /** Number of free directions. */
   directions: number;
+  /** `translation`, `rotation`; empty where the data leave nothing free. */
   free: string[];
+  /** `least-change`: of the file's anchors. */
   kind: string;
 }
 
@@ -354,8 +412,11 @@ export interface GridAxis {
 
 /** Criterion on data held out (SI). */
 export interface HeldOut {
+  /** Mean over the samples that all compared candidates answer (SI). */
   criterion: number | null;
+  /** Number of these samples. */
   samples: number;
+  /** Its standard error by block bootstrap. */
   standard_error: number | null;
 }
 
@@ -392,9 +453,13 @@ export interface JudgedSamples {
 
 /** Statistics of length errors over poses and cables (m); null without any. */
 export interface LengthErrors {
+  /** Largest magnitude. */
   max: number | null;
+  /** Mean of the magnitudes. */
   mean_abs: number | null;
+  /** 95 % quantile of the magnitudes: 95 % are smaller. */
   p95: number | null;
+  /** Root mean square. */
   rms: number | null;
 }
 
@@ -404,8 +469,9 @@ export interface LengthShift {
   cable: number;
   /** Change of the recorded length, after the line less before it, or over the record. */
   change_m: number;
-  /** Length offset that the calibrated robot has. */
+  /** Length offset that the calibrated robot has (m). */
   length_offset_after_m: number;
+  /** Length offset that the robot had before the fit (m). */
   length_offset_before_m: number;
   /** Line of the data file from which on lengths are changed, the header being line 1; null of a drift. */
   line: number | null;
@@ -413,6 +479,7 @@ export interface LengthShift {
   parameter: string;
   /** Speed of a drift; null of a step, or where rows have no times. */
   rate_m_per_s: number | null;
+  /** Standard deviation, frames and clock as found (m). */
   sigma_m: number;
 }
 
@@ -458,7 +525,9 @@ export interface Occurrence {
 export interface Outlier {
   /** Line of the file, from 1. */
   line: number | null;
+  /** The deviation in words, and the cables concerned. */
   reason: string;
+  /** 2-norm over the cables of modelled minus recorded lengths at the measured pose (m). */
   residual_m: number;
   /** Number in the data, from 1. */
   sample: number;
@@ -480,21 +549,31 @@ export interface Pose {
 
 /** Statistics of position (m) or rotation errors (rad) over poses; null without any. */
 export interface PoseErrors {
+  /** Largest. */
   max: number | null;
+  /** Mean (eq. 3.4). */
   mean: number | null;
+  /** Median. */
   median: number | null;
+  /** 95 % quantile: 95 % of the errors are smaller. */
   p95: number | null;
+  /** Root mean square. */
   rms: number | null;
 }
 
 /** Smallest and largest value of a component of the pose, in the data of the fit and in those of the validation. */
 export interface PoseRange {
+  /** Largest value in the data of the reported fit. */
   fit_max: number | null;
+  /** Smallest value in the data of the reported fit. */
   fit_min: number | null;
+  /** The component: a world axis, or `rx`, `ry`, `rz`, `angle`. */
   name: string;
   /** Unit of the numbers: m or rad. */
   unit: string;
+  /** Largest value in validation data. */
   validation_max: number | null;
+  /** Smallest value in validation data. */
   validation_min: number | null;
 }
 
@@ -502,11 +581,13 @@ export interface PoseRange {
 export interface Preference {
   /** Name of the chosen candidate. */
   candidate: string;
+  /** Name of the criterion. */
   name: string;
   /** Value of the recommended candidate. */
   of_recommended: number | null;
   /** Its value (SI). */
   value: number | null;
+  /** The criterion in words, with what counts as no difference. */
   words: string;
 }
 
@@ -524,6 +605,7 @@ export interface RandomPoints {
   feasible_points: number;
   /** Points of the workspace that the result leaves out. */
   missed: number;
+  /** Points drawn. */
   points: number;
 }
 
@@ -565,12 +647,17 @@ export interface ReportData {
 
 /** Outcome of a requirement, in the unit of its metric. */
 export interface RequirementOutcome {
+  /** Largest value allowed. */
   limit: number | null;
+  /** True when the value keeps the limit and every validation sample has part in it. */
   met: boolean;
   /** Name of the error figure with its unit. */
   metric: string;
+  /** Validation samples. */
   samples: number;
+  /** Those of them that have part in the value. */
   samples_with_value: number;
+  /** The candidate's value on validation data; null without any. */
   value: number | null;
 }
 
@@ -592,10 +679,13 @@ export interface Run {
   assumptions: Assumption[];
   /** Energy at the end (J); null where tensions are no function of lengths alone. */
   energy_J: Energy | null;
+  /** Events that happened, in their order. */
   events: Event[];
+  /** State at the end. */
   final: FinalState;
   /** `symplectic` or `error-controlled`. */
   integrator: Integrator;
+  /** File of the states. */
   log: string;
   model: string;
   reason?: string | null;
@@ -604,8 +694,11 @@ export interface Run {
   slack: Slack[];
   /** `completed`, `stopped`, `failed`. */
   status: string;
+  /** Number of steps. */
   steps: number;
+  /** Largest tension of the run (N). */
   tension_max_N: number;
+  /** Smallest tension of the run (N). */
   tension_min_N: number;
   /** Limits of tensions that were broken after any step, by first time and cable. */
   violations: Violation[];
@@ -652,9 +745,11 @@ export interface Selection {
   data: string;
   /** Findings, the worst first. */
   findings: Finding[];
+  /** Freedom that the data leave of them. */
   gauge?: Gauge;
   /** Changes of recorded lengths inside the record, of the same candidate, where they were free. */
   length_shifts?: LengthShift[];
+  /** Pose of the marker on the platform, where it was free. */
   marker_frame?: FrameEstimate | null;
   /** Folder of the result's files. */
   out?: string | null;
@@ -676,6 +771,7 @@ export interface Selection {
   status: string;
   /** Wall times. */
   timing?: Timing | null;
+  /** Pose of the tracker's world in the frame of the robot, where it was free. */
   tracker_frame?: FrameEstimate | null;
   /** False where nothing is recommended, or nobody should work with what is; the warnings say why. */
   trusted: boolean;
@@ -689,7 +785,9 @@ export interface Selection {
 
 /** A structure matrix of less than full rank wherever the criteria hold. */
 export interface Singular {
+  /** Number of degrees of freedom. */
   degrees_of_freedom: number;
+  /** Rank of the structure matrix. */
   rank: number;
 }
 
@@ -700,7 +798,9 @@ export type Size = number | null;
 export interface Slack {
   /** Number of the cable, from 1. */
   cable: number;
+  /** Total length of the steps whose ends break the limit (s). */
   duration_s: number;
+  /** Time at which it happens first (s). */
   first_s: number;
 }
 
@@ -716,24 +816,31 @@ export interface Stretch {
 
 /** Errors of a study with the files that tell more. */
 export interface Study {
+  /** Effect of the map that corrects the control model; null without one. */
   compensation?: MappedSummary | null;
   control: string;
+  /** Number of them at which the platform comes to rest. */
   converged: number;
+  /** Diameter of the sampled positions: the diagonal of their box (m). */
   diameter_m: number | null;
   files: string[];
+  /** Distance between commanded and emerging position by the linear step (m). */
   linear_position_error_m: PoseErrors;
   /** Distance between the positions of the linear step and of the exact solution. */
   linear_residual_m: PoseErrors;
   /** Fraction of the poses at which that distance is at most a tenth of the exact error. */
   linear_trusted_share: number | null;
   machine: string;
+  /** Distance between commanded and emerging position (m), exact. */
   position_error_m: PoseErrors;
   reason: string | null;
   /** Mean position error as a fraction of the diameter of the positions (eq. 3.5); null for one position. */
   relative_position_error: number | null;
   /** Residual force of the cables held at the commanded poses; null for a rigid machine. */
   residual_force_N: PoseErrors | null;
+  /** Angle between commanded and emerging orientation (rad), exact. */
   rotation_error_rad: PoseErrors;
+  /** Number of commanded poses. */
   samples: number;
   seed: number;
   status: string;
@@ -784,20 +891,27 @@ export interface StudyRegion {
 
 /** Errors over the poses of a study, exact and by one linear step. */
 export interface StudySummary {
+  /** Effect of the map that corrects the control model; null without one. */
   compensation?: MappedSummary | null;
+  /** Number of them at which the platform comes to rest. */
   converged: number;
+  /** Diameter of the sampled positions: the diagonal of their box (m). */
   diameter_m: number | null;
+  /** Distance between commanded and emerging position by the linear step (m). */
   linear_position_error_m: PoseErrors;
   /** Distance between the positions of the linear step and of the exact solution. */
   linear_residual_m: PoseErrors;
   /** Fraction of the poses at which that distance is at most a tenth of the exact error. */
   linear_trusted_share: number | null;
+  /** Distance between commanded and emerging position (m), exact. */
   position_error_m: PoseErrors;
   /** Mean position error as a fraction of the diameter of the positions (eq. 3.5); null for one position. */
   relative_position_error: number | null;
   /** Residual force of the cables held at the commanded poses; null for a rigid machine. */
   residual_force_N: PoseErrors | null;
+  /** Angle between commanded and emerging orientation (rad), exact. */
   rotation_error_rad: PoseErrors;
+  /** Number of commanded poses. */
   samples: number;
   /** Null where no tensions are commanded or none emerge. */
   tension_error_N: TensionErrors | null;
@@ -805,10 +919,13 @@ export interface StudySummary {
 
 /** Statistics of tension errors over poses and cables (N); null without any. */
 export interface TensionErrors {
+  /** Largest magnitude. */
   max: number | null;
+  /** Mean of the magnitudes. */
   mean_abs: number | null;
   /** Mean over poses of the 2-norm over cables. */
   mean_norm: number | null;
+  /** Root mean square. */
   rms: number | null;
 }
 
@@ -826,10 +943,13 @@ export interface Violation {
   cable: number;
   /** Length of all steps that end with it. */
   duration_s: number;
+  /** Time at which it happens first (s). */
   first_s: number;
   /** Key of the robot file that states it. */
   limit: string;
+  /** Limit (N); 0 for a slack cable. */
   limit_N: number;
+  /** The violation in a sentence. */
   words: string;
   /** Tension farthest from the limit. */
   worst_N: number;
@@ -837,38 +957,63 @@ export interface Violation {
 
 /** Area or volume of the poses at which criteria hold, with a bound of its error. */
 export interface Workspace {
+  /** Kind of workspace by its orientations. */
   archetype: string;
+  /** Area (m²), of a planar robot; null where it has none. */
   area_m2?: Size;
   /** Why the bound is no smaller, where it is larger than wanted. */
   bound_limited_by?: string | null;
+  /** Box that was searched, ends along each axis (m). */
   bounds_m: number[];
+  /** Edges of the cells (m). */
   cell_m?: number[] | null;
+  /** Centre of the rays (m). */
   center_m?: number[] | null;
+  /** Centroid (m). */
   centroid_m?: number[] | null;
   /** Probability of the bound. */
   confidence?: number | null;
+  /** Criterion in words. */
   criterion: string;
+  /** Bound of the error of the size (m² or m³); null where there is none. */
   error_bound: number | null;
+  /** Poses of these that belong to the workspace. */
   feasible_points: number;
+  /** Number of points of the grid. */
   grid_points?: number | null;
+  /** File of the mesh. */
   mesh?: string | null;
+  /** Method that found the size. */
   method: string;
   model: string;
+  /** Number of orientations at which each position is judged. */
   orientations: number;
+  /** Length of the outline (m). */
   outline_m?: number | null;
+  /** Page that was written. */
   page?: string | null;
+  /** Poses judged. */
   points: number;
+  /** Random points at which the result is judged. */
   random_points?: RandomPoints | null;
+  /** Number of rays of the hull. */
   rays?: number | null;
+  /** Rays that enter the workspace again. */
   rays_again?: number | null;
+  /** True where the workspace reaches the box. */
   reaches_bounds: boolean;
   reason: string | null;
   robot: string;
+  /** Rank of the structure matrix, where it is below full rank everywhere. */
   singular?: Singular | null;
+  /** How the size stands to the true one. */
   size_is: string;
+  /** Edges of the cells that the search starts with (m). */
   start_cell_m?: number[] | null;
   status: string;
+  /** Area of the surface (m²). */
   surface_m2?: number | null;
+  /** Volume (m³), of a spatial robot; null where it has none. */
   volume_m3?: Size;
 }
 

@@ -787,7 +787,7 @@ class AsGiven(Result):
     )
 
     @property
-    def criterion(self) -> float:
+    def criterion(self) -> float | None:
         """Criterion of the model as given (m, rad or N)."""
         return self._get("criterion")
 
@@ -797,7 +797,7 @@ class AsGiven(Result):
         return self._get("name")
 
     @property
-    def ratio(self) -> float:
+    def ratio(self) -> float | None:
         """Criterion of the model as given, divided by that of the verdict's candidate."""
         return self._get("ratio")
 

@@ -79,10 +79,9 @@ class Result:
 
     def _get(self, key: str, part: type[Result] | None = None) -> Any:
         """Returns the value of a key that every answer has."""
-        try:
-            return self._find(key, part) if key in self._read else self._converted(key, self._data[key], part)
-        except KeyError:
-            raise AttributeError(f"{type(self).__name__} has no key {key!r}: another version wrote it") from None
+        if key in self._data:
+            return self._find(key, part)
+        raise AttributeError(f"{type(self).__name__} has no key {key!r}: another version wrote it")
 
     def _find(self, key: str, part: type[Result] | None = None) -> Any:
         """Returns the value of a key, `None` if the answer has none."""

@@ -51,7 +51,7 @@ pub(super) struct Listed {
 #[schemars(rename = "CodeEntry")]
 pub(super) struct Entry {
     code: &'static str,
-    /// What it is about, in a line.
+    /// Subject in a line.
     summary: String,
 }
 

@@ -103,7 +103,7 @@ keys! {
         reached_share,
         /// Free parameters that the effect adds.
         parameter_count,
-        /// What the effect costs, in words.
+        /// Cost of modelling the effect, in words.
         cost,
     }
     /// Errors of one kind of number, in its `unit`.

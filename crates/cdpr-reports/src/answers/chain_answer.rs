@@ -12,7 +12,7 @@ use super::{Answer, title};
 use crate::figures::{ErrorPanel, ErrorRows, Figure};
 use crate::html_page::{Page, PageError, PageKind, plain, prose};
 use crate::keys::adapters::keys;
-use crate::keys::adapters::nullable_numbers;
+use crate::keys::table_schema::nullable_numbers;
 use crate::keys::{ChainStepKeys, Maybe};
 use crate::number_format::{NONE, short, significant};
 use crate::table::Table;

@@ -57,7 +57,7 @@ struct EffectAnswer {
     platform_beyond_home: Option<Displacement>,
     /// Number of parameters that the effect adds.
     parameter_count: usize,
-    /// What the effect costs, in words.
+    /// Cost of modelling the effect, in words.
     cost: &'static str,
     /// Reasons why something cannot be told.
     reasons: Vec<String>,

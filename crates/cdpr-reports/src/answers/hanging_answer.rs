@@ -1,6 +1,6 @@
 //! Poses at which a platform hangs at a position.
 
-use crate::keys::adapters::nullable_numbers;
+use crate::keys::table_schema::nullable_numbers;
 use cdpr_model::equilibrium::hanging::{Hanging, HangingPoses};
 use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;

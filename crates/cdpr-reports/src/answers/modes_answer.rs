@@ -1,6 +1,6 @@
 //! Natural frequencies and mode shapes of small motions, and the linear system behind them.
 
-use crate::keys::adapters::nullable_numbers;
+use crate::keys::table_schema::nullable_numbers;
 use cdpr_model::geometry::Pose;
 use cdpr_model::model::Model;
 use cdpr_model::robot::Assumption;

@@ -8,6 +8,7 @@ use serde::Serialize;
 
 use super::RatingAnswer;
 use super::summary_parts::MOST_CHANGES;
+use crate::keys::table_schema::nullable_numbers;
 use crate::keys::{
     CoverageKeys, Each, JudgementKeys, Maybe, OutlierKeys, RecordingFrameKeys, ShiftKeys, WarningKeys, Word,
 };
@@ -122,6 +123,7 @@ pub struct CandidateAnswer<'a> {
 
 /// The criterion of the model as given, and how many times as large it is.
 #[derive(Serialize, JsonSchema)]
+#[schemars(transform = nullable_numbers)]
 pub struct AsGiven {
     /// Name.
     pub name: String,

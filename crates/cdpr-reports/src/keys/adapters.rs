@@ -238,13 +238,3 @@ schema_like!([K] Maybe<K>: Option<K>);
 schema_like!([] Word: String);
 schema_like!([] Shown: String);
 schema_like!([] FromOne: usize);
-
-/// Numbers of a table that are null where they are not finite.
-pub(crate) fn nullable_numbers(schema: &mut Schema) {
-    let Some(serde_json::Value::Object(properties)) = schema.get_mut("properties") else { return };
-    for property in properties.values_mut() {
-        if property.get("type") == Some(&"number".into()) {
-            property["type"] = serde_json::json!(["number", "null"]);
-        }
-    }
-}

@@ -6,7 +6,8 @@ use schemars::JsonSchema;
 use serde::Serialize;
 
 use super::Maybe;
-use super::adapters::{nullable_numbers, tables};
+use super::adapters::tables;
+use super::table_schema::nullable_numbers;
 
 /// Statistics of position (m) or rotation errors (rad) over poses; null without any.
 #[derive(Serialize, JsonSchema)]

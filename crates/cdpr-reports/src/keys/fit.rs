@@ -9,7 +9,8 @@ use cdpr_model::reading::Keyword;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::adapters::{keys, nullable_numbers, tables};
+use super::adapters::{keys, tables};
+use super::table_schema::nullable_numbers;
 use super::{Each, Maybe, Word};
 
 /// Identified parameter.

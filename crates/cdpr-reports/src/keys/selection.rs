@@ -6,8 +6,9 @@ use cdpr_calibration::{Coverage, ErrorBlocks, Information, NoiseSource, PoseRang
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::adapters::{nullable_numbers, tables};
+use super::adapters::tables;
 use super::fit::CandidateFitKeys;
+use super::table_schema::nullable_numbers;
 use super::{Each, ErrorBlockKeys, Maybe, Word};
 
 /// Ranges of the poses, and the validation samples that lie beyond those of their fit.

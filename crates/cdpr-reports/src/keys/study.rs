@@ -11,7 +11,8 @@ use cdpr_study::force_tracking::ForceTracking;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::adapters::{keys, nullable_numbers, tables};
+use super::adapters::{keys, tables};
+use super::table_schema::nullable_numbers;
 use super::{LengthErrorKeys, Maybe, PoseErrorKeys, TensionErrorKeys};
 
 /// Numbers of poses at which a map does not act fully.

@@ -7,8 +7,6 @@ use schemars::generate::SchemaGenerator;
 use schemars::{JsonSchema, Schema};
 use serde_json::{Map, Value, json};
 
-use super::adapters::nullable_numbers;
-
 /// Schema of a table in the making.
 pub(crate) struct TableSchema {
     description: String,
@@ -60,6 +58,16 @@ impl TableSchema {
     }
 }
 
+/// Numbers of a table that are null where they are not finite.
+pub(crate) fn nullable_numbers(schema: &mut Schema) {
+    let Some(Value::Object(properties)) = schema.get_mut("properties") else { return };
+    for property in properties.values_mut() {
+        if property.get("type") == Some(&"number".into()) {
+            property["type"] = json!(["number", "null"]);
+        }
+    }
+}
+
 /// Lines of documentation as one text.
 fn text(lines: &[&str]) -> String {
     lines.iter().map(|line| line.trim()).collect::<Vec<_>>().join(" ")
@@ -80,7 +88,7 @@ pub(crate) fn schema_of<V, T: JsonSchema>(_: fn(&V) -> PhantomData<T>, generator
     generator.subschema_for::<T>()
 }
 
-/// Entry of the schema of a table that [`keys`](super::adapters::keys) makes.
+/// Entry of the schema of a table that `keys` makes.
 macro_rules! entry_schema {
     ($generator:ident, $table:ident, $of:expr, $name:expr, [none], $key:tt, $by:tt, $inner:tt, $doc:tt) => {
         $crate::keys::table_schema::entry_schema!(@ $generator, $table, $of, $name, false, $key, $by, $inner, $doc)
