@@ -4,7 +4,7 @@
 use std::path::Path;
 use std::thread::{self, JoinHandle};
 
-use crate::{book, browser, command, instructions, judge, shells};
+use crate::{book, browser, command, instructions, judge, python, shells};
 
 /// Work on threads of its own.
 #[derive(Default)]
@@ -19,9 +19,10 @@ impl Ahead {
         let (root, builds) = (root.to_path_buf(), root.to_path_buf());
         let fetch = move || {
             // one after the other: Debian's packages have one lock
-            let fetched: [(&str, Result<(), String>); 5] = [
+            let fetched: [(&str, Result<(), String>); 6] = [
                 ("shells", shells::fetch()),
                 ("instructions", instructions::fetch()),
+                ("python", python::fetch(&root)),
                 ("judge", judge::fetch(&root)),
                 ("browser", browser::fetch(&root)),
                 ("book", book::fetch(&root)),

@@ -1,20 +1,29 @@
-//! The command for people without a compiler: an archive and a wheel, packed by the program `dist` and installed
-//! as users do.
+//! The command for people without a compiler: an archive, packed by the program `dist`, and a wheel, made by maturin; installed as users do.
 
 use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use crate::outcome::Outcome;
 use crate::programs::{on_path, output, run};
-use crate::{cargo, judge, readme};
+use crate::{cargo, environments, python, readme};
 
 /// Starts the program that packs and checks.
 const PROGRAM: &[&str] = &["run", "--quiet", "--locked", "-p", "dist", "--"];
 
-/// Packs the build for release into `dist/`, and builds it before if it is not there.
-pub(crate) fn pack(root: &Path) -> Result<(), String> {
+/// Packs the build for release into `dist/`, and builds it before if it is not there: archive, wheel, source distribution, checksums. With
+/// `ziglang` the wheel is for older systems, too.
+pub(crate) fn pack(root: &Path, with_zig: bool) -> Result<(), String> {
+    let folder = root.join("dist");
+    // packages of an earlier version would be taken for those of this one
+    let _ = std::fs::remove_dir_all(&folder);
     cargo::succeed(root, &["build", "--release", "--locked", "-p", "cdpr-cli"]).into_result()?;
-    start(root, &["pack", &path(&cargo::built(root, "release", "cdpr")), &path(&root.join("dist"))]).into_result()
+    start(root, &["pack", &path(&cargo::built(root, "release", "cdpr")), &path(&folder)]).into_result()?;
+    let words: &[&str] =
+        if with_zig { &["--sdist", "--zig", "--compatibility", "manylinux_2_17"] } else { &["--sdist"] };
+    python::wheel(root, &folder, words)?;
+    let made = [python::the_wheel(&folder)?, packed(&folder, &format!("cdpr-{}.tar.gz", env!("CARGO_PKG_VERSION")))?];
+    python::check_packages(root, &made)?;
+    start(root, &["sums", &path(&folder)]).into_result()
 }
 
 /// Complains of what a publication of the crates would stumble over.
@@ -41,10 +50,16 @@ pub(crate) fn check(root: &Path) -> Outcome {
     let _ = std::fs::remove_dir_all(&folder);
     let packages = folder.join("dist");
     let (mut sum, python) = std::thread::scope(|scope| {
-        let python = scope.spawn(|| judge::new_environment(&folder.join("venv")));
+        let python = scope.spawn(|| environments::new(&folder.join("venv")));
         let packed = cargo::the_command(root).map(|command| start(root, &["check", &path(&command), &path(&packages)]));
         (packed.unwrap_or_else(|complaint| Outcome::of(vec![complaint])), python.join().unwrap_or_default())
     });
+    if let Err(complaint) = python::wheel(root, &packages, &[]).and_then(|()| {
+        python::check_packages(root, &[python::the_wheel(&packages)?])?;
+        start(root, &["sums", &path(&packages)]).into_result()
+    }) {
+        sum.add(Outcome::of(vec![complaint]));
+    }
     if sum.failed > 0 {
         return sum;
     }

@@ -4,8 +4,8 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use crate::cargo;
+use crate::environments;
 use crate::outcome::Outcome;
-use crate::programs::{can_install, install, on_path, run};
 
 /// What each judge is given: the example that writes its cases, and the script that judges them.
 const JUDGES: [(&str, &str); 6] = [
@@ -38,11 +38,11 @@ pub(crate) fn check_with_times(root: &Path) -> Outcome {
 
 /// Sees to it that the judges have their Python.
 pub(crate) fn fetch(root: &Path) -> Result<(), String> {
-    environment(root).map(|_| ())
+    packages(root).map(|_| ())
 }
 
 fn all(root: &Path, with_times: bool) -> Outcome {
-    let python = match environment(root) {
+    let python = match packages(root) {
         Ok(python) => python,
         Err(reason) => return skipped(&reason),
     };
@@ -78,7 +78,7 @@ fn all(root: &Path, with_times: bool) -> Outcome {
 
 /// Judges calibrations without measured poses by a command, on the records of as many seeds from a first one on.
 pub(crate) fn poseless(root: &Path, program: &Path, (first, count): (u64, u64)) -> Outcome {
-    let python = match environment(root) {
+    let python = match packages(root) {
         Ok(python) => python,
         Err(reason) => return skipped(&reason),
     };
@@ -125,6 +125,11 @@ fn counts(line: &str) -> Option<(usize, usize)> {
     Some((passed.parse().ok()?, failed.strip_suffix(" failed")?.parse().ok()?))
 }
 
+/// Python with the packages of the judges.
+fn packages(root: &Path) -> Result<PathBuf, String> {
+    environments::with_packages(root, "judges/mujoco/requirements.txt", "target/judge-venv")
+}
+
 /// Nobody was asked: a failure in CI, where somebody relies on it.
 fn skipped(reason: &str) -> Outcome {
     println!("the judges are skipped: {reason}");
@@ -132,44 +137,6 @@ fn skipped(reason: &str) -> Outcome {
         return Outcome::of(vec![format!("CI must not skip the judges: {reason}")]);
     }
     Outcome::default()
-}
-
-/// Python of a virtual environment with the packages of `requirements.txt`, made where it is missing or was made for another
-/// list.
-fn environment(root: &Path) -> Result<PathBuf, String> {
-    let requirements = root.join("judges/mujoco/requirements.txt");
-    let folder = root.join("target/judge-venv");
-    let (python, stamp) = (folder.join("bin/python"), folder.join("installed-requirements.txt"));
-    let read = |path: &Path| std::fs::read(path).ok();
-    if python.exists() && read(&stamp).is_some() && read(&stamp) == read(&requirements) {
-        return Ok(python);
-    }
-    if run(create(&folder)).is_err() {
-        if !can_install() {
-            return Err("there is no Python 3 with its module venv; install python3 and python3-venv".to_owned());
-        }
-        install(&["python3", "python3-venv"])?;
-        run(create(&folder))?;
-    }
-    let mut packages = Command::new(&python);
-    packages
-        .args(["-m", "pip", "install", "--quiet", "--disable-pip-version-check", "--requirement"])
-        .arg(&requirements);
-    run(packages).map_err(|error| format!("the packages of the judges cannot be installed: {error}"))?;
-    std::fs::copy(&requirements, &stamp).map_err(|error| format!("{}: {error}", stamp.display()))?;
-    Ok(python)
-}
-
-/// Python of a new environment in a folder; `None` where there is no Python 3 with its module venv.
-pub(crate) fn new_environment(folder: &Path) -> Option<PathBuf> {
-    run(create(folder)).ok().map(|()| folder.join("bin/python"))
-}
-
-fn create(folder: &Path) -> Command {
-    let python = on_path("python3").unwrap_or_else(|| "python3".into());
-    let mut command = Command::new(python);
-    command.args(["-m", "venv", "--clear"]).arg(folder).stdin(Stdio::null()).stdout(Stdio::null());
-    command
 }
 
 #[cfg(test)]

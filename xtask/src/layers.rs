@@ -44,6 +44,7 @@ const CRATES: &[(&str, &[&str])] = &[
     ("cdpr", &["cdpr-core", "cdpr-model", "cdpr-workspace", "cdpr-plant", "cdpr-calibration", "cdpr-study"]),
     ("cdpr-reports", &["cdpr-model", "cdpr-workspace", "cdpr-plant", "cdpr-calibration", "cdpr-study"]),
     ("cdpr-cli", &["cdpr-model", "cdpr-workspace", "cdpr-plant", "cdpr-calibration", "cdpr-study", "cdpr-reports"]),
+    ("cdpr-python", &["cdpr", "cdpr-cli"]),
     ("cdpr-testing", &[]),
 ];
 

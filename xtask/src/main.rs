@@ -10,6 +10,7 @@ mod command;
 mod dirty;
 mod dist;
 mod documents;
+mod environments;
 mod examples;
 mod format;
 mod generated;
@@ -25,6 +26,7 @@ mod notices;
 mod outcome;
 mod packages;
 mod programs;
+mod python;
 mod quick;
 mod readme;
 mod sentences;
@@ -59,7 +61,8 @@ Tasks:
   instructions --accept   make them the committed counts
   interface            compare the libraries' public interfaces with the committed listings
   interface --accept   make them the committed listings
-  dist                 pack the command into dist/: an archive and a wheel for Python, from the build for release
+  dist                 pack into dist/: an archive of the command, wheel and source distribution for Python, checksums; --zig for older systems
+  python               types and tests of the Python package, from its wheel; --all for all notebooks, recipes of schedulers and benches
   publish-check        all of a publication but the upload: every crate is compiled from its package; asks the registry
   judge                let other programs judge our numbers and times (`judges/`, in a Python environment under target/)
   viewer               build viewer/ with an installed npm into the files that reports include
@@ -87,8 +90,11 @@ fn main() -> ExitCode {
         ["instructions", "--accept"] => instructions::accept(&root),
         ["interface"] => interface::check(&root).into_result(),
         ["interface", "--accept"] => interface::accept(&root),
-        ["dist"] => dist::pack(&root),
+        ["dist"] => dist::pack(&root, false),
+        ["dist", "--zig"] => dist::pack(&root, true),
         ["publish-check"] => dist::publish_check(&root),
+        ["python"] => python::check(&root).into_result(),
+        ["python", "--all"] => python::check_all(&root).into_result(),
         ["judge"] => judge::check_with_times(&root).into_result(),
         ["viewer"] => browser::build(&root),
         ["book"] => book::build(&root),

@@ -14,7 +14,7 @@ const BUNDLE: &str = "crates/cdpr-reports/src/html_page/generated/notices.txt";
 const WORDS_BESIDES: usize = 260;
 
 const HEAD: &str = "\
-The command cdpr is built from the Rust packages listed second. The reports (report.html) that it writes contain a program that was
+The command cdpr and the Python module cdpr are built from the Rust packages listed second. The reports (report.html) that it writes contain a program that was
 bundled from viewer/; every report shows the licences of that, which come first, at its end. Built-in robots:
 crates/cdpr-model/robots/NOTICE.md. `cargo xtask generate` writes this file.
 
@@ -23,15 +23,22 @@ crates/cdpr-model/robots/NOTICE.md. `cargo xtask generate` writes this file.
 const RUST: &str = "
 ========================================================================
 
-The command cdpr contains the following Rust packages, on one system or another, under the MIT licence, whose text follows the list.
+The command and the module contain the following Rust packages, on one system or another, under the MIT licence, whose text follows the list.
 
 ";
 
 const APACHE: &str = "
 ========================================================================
 
-It contains the following ones, and the Rust standard library (Copyright (c) The Rust Project Contributors), under the
+They contain the following ones, and the Rust standard library (Copyright (c) The Rust Project Contributors), under the
 Apache licence 2.0, whose text follows the list.
+
+";
+
+const OWN: &str = "
+========================================================================
+
+The Python module contains the following ones under terms of their own.
 
 ";
 
@@ -60,7 +67,9 @@ fn text(root: &Path) -> Result<String, String> {
         let whole = |package| Ok::<_, String>(notice(package, text)? + &terms_besides(package)?);
         Ok(own.map(whole).collect::<Result<Vec<_>, _>>()?.concat())
     };
-    Ok([HEAD, &bundle, RUST, &list(&mit)?, "\n", &mit.shown, APACHE, &list(&apache)?, "\n", &apache.shown].concat())
+    let own = packages.iter().filter(|package| package.licence == Licence::Own);
+    let own = own.map(terms_of_its_own).collect::<Result<Vec<_>, _>>()?.concat();
+    Ok([HEAD, &bundle, RUST, &list(&mit)?, "\n", &mit.shown, APACHE, &list(&apache)?, "\n", &apache.shown, OWN, &own].concat())
 }
 
 /// A licence's text: as it is shown, and bare of copyright lines, headings and line breaks, to compare with.
@@ -88,20 +97,30 @@ fn notice(package: &Package, usual: &Text) -> Result<String, String> {
     };
     let besides = text.split_whitespace().count().saturating_sub(terms.split(' ').count());
     if terms != usual.terms || besides > WORDS_BESIDES {
-        let lines: Vec<String> = text.lines().map(|line| format!("    {line}").trim_end().to_owned()).collect();
-        return Ok(format!("{}, in these words:\n{}\n", package.title, lines.join("\n").trim_end()));
+        return Ok(format!("{}, in these words:\n{}\n", package.title, indented(&text)));
     }
     let lines: Vec<&str> = text.lines().map(str::trim).filter(|line| is_copyright(line)).collect();
     let lines = if lines.is_empty() { vec![authors(package)?] } else { lines.into_iter().map(str::to_owned).collect() };
     Ok(format!("{}\n    {}\n", package.title, lines.join("\n    ")))
 }
 
+/// Title and terms of a package that has none of the usual ones.
+fn terms_of_its_own(package: &Package) -> Result<String, String> {
+    let file = package.besides.ok_or_else(|| format!("{}: the file with its terms is not named", package.title))?;
+    Ok(format!("{}, in these words:\n{}\n", package.title, indented(&read(&package.folder.join(file))?)))
+}
+
+/// A text four columns to the right.
+fn indented(text: &str) -> String {
+    let lines: Vec<String> = text.lines().map(|line| format!("    {line}").trim_end().to_owned()).collect();
+    lines.join("\n").trim_end().to_owned()
+}
+
 /// Terms that a package has beside those of its licence, in its words.
 fn terms_besides(package: &Package) -> Result<String, String> {
     let Some(file) = package.besides else { return Ok(String::new()) };
     let text = read(&package.folder.join(file))?;
-    let lines: Vec<String> = text.lines().map(|line| format!("    {line}").trim_end().to_owned()).collect();
-    Ok(format!("and, for parts of it, in these words:\n{}\n", lines.join("\n").trim_end()))
+    Ok(format!("and, for parts of it, in these words:\n{}\n", indented(&text)))
 }
 
 /// The file with the terms of the package's licence, the one named after it first, and these terms.
@@ -155,6 +174,7 @@ fn terms(text: &str, licence: Licence) -> Option<String> {
     let text = words.join(" ");
     let (first, last) = match licence {
         Licence::Mit => ("permission is hereby granted, free of charge", "dealings in the software"),
+        Licence::Own => return None,
         Licence::Apache => {
             ("terms and conditions for use, reproduction, and distribution", "end of terms and conditions")
         }

@@ -1,4 +1,4 @@
-//! The Rust packages that are linked into the command, and their licences.
+//! The Rust packages that are linked into the command and into the module of Python, and their licences.
 
 use std::path::{Path, PathBuf};
 
@@ -13,10 +13,15 @@ const TARGETS: [&str; 4] =
 pub(crate) enum Licence {
     Mit,
     Apache,
+    /// Terms of its own, which ask for no more than to be shown.
+    Own,
 }
 
 /// A licence that adds terms to one of ours, looked at by a person, and the file with these terms.
-const BESIDES: [(&str, Licence, &str); 1] = [("(Apache-2.0 OR MIT) AND BSD-3-Clause", Licence::Mit, "LICENSE-WHATWG")];
+const BESIDES: [(&str, Licence, &str); 2] = [
+    ("(Apache-2.0 OR MIT) AND BSD-3-Clause", Licence::Mit, "LICENSE-WHATWG"),
+    ("BSD-2-Clause", Licence::Own, "LICENSE"),
+];
 
 /// A package whose licence does not name the terms of a part of it, looked at by a person, and the file with these terms.
 const PARTS: [(&str, &str); 1] = [("sobol_burley", "licenses/JOE_KUO.txt")];
@@ -34,9 +39,9 @@ pub(crate) struct Package {
     pub(crate) besides: Option<&'static str>,
 }
 
-/// All packages linked into `cdpr`, by name; complains of licences outside the list.
+/// All packages linked into the command and the module of Python, which has those of the command and its own, by name; complains of licences outside the list.
 pub(crate) fn linked(root: &Path) -> Result<Vec<Package>, String> {
-    let mut arguments = vec!["tree", "--locked", "--package", "cdpr-cli", "--edges", "normal,no-proc-macro"];
+    let mut arguments = vec!["tree", "--locked", "--package", "cdpr-python", "--edges", "normal,no-proc-macro"];
     arguments.extend(["--prefix", "none", "--format", "{p}|{l}"]);
     TARGETS.iter().for_each(|target| arguments.extend(["--target", *target]));
     let tree = programs::output(cargo::command(root, &arguments))?;

@@ -7,7 +7,7 @@ use crate::ahead::Ahead;
 use crate::outcome::Outcome;
 use crate::{
     book, browser, cargo, command, dist, documents, examples, format, generated, golden, ground, instructions,
-    interface, judge, layers, shells,
+    interface, judge, layers, python, shells,
 };
 
 /// One step of the entrance.
@@ -108,6 +108,11 @@ const STEPS: &[Step] = &[
         remedy: "look at target/dist, where the packages are; `cargo xtask dist` packs them again",
     },
     Step {
+        name: "python",
+        action: Action::Own(python::check),
+        remedy: "run the failing test alone in python/tests: `python -m unittest NAME`, with the wheel of target/wheel installed; `cargo xtask python`",
+    },
+    Step {
         name: "shells",
         action: Action::Own(shells::check),
         remedy: "ask `cdpr complete -- WORDS` yourself; the scripts are in crates/cdpr-cli/src/completion",
@@ -178,7 +183,7 @@ const DOCUMENTED: [&str; 8] =
     ["cdpr-core", "cdpr-model", "cdpr-workspace", "cdpr-plant", "cdpr-calibration", "cdpr-study", "cdpr-cli", "cdpr"];
 
 /// Steps that need what is fetched ahead.
-const FETCHED_FOR: [&str; 6] = ["dist", "shells", "book", "instructions", "judge", "browser"];
+const FETCHED_FOR: [&str; 7] = ["dist", "python", "shells", "book", "instructions", "judge", "browser"];
 
 /// The first step that needs the builds for release; all steps after it may.
 const BUILT_FOR: &str = "command";

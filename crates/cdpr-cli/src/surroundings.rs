@@ -26,7 +26,7 @@ pub struct WorkDone<'a> {
 /// Takes progress from any thread of the work, and says whether it shall go on.
 pub type Observer = Arc<dyn Fn(WorkDone<'_>) -> ControlFlow<()> + Send + Sync>;
 
-/// What another program brings to a run.
+/// Things that another program brings to a run.
 #[derive(Clone, Default)]
 #[non_exhaustive]
 pub struct Host {

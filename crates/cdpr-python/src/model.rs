@@ -22,7 +22,7 @@ pub(crate) struct Model {
     pub(crate) model: Arc<cdpr::Model>,
 }
 
-/// What a robot's cables remember, and the last pose found.
+/// Memories of a robot's cables, and the pose at which it settled last.
 #[pyclass(frozen, module = "cdpr._cdpr")]
 pub(crate) struct State {
     state: Mutex<equilibrium::State>,

@@ -11,60 +11,80 @@ from __future__ import annotations
 from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
-from . import sweep
-from ._arrays import poses_of, rotations_of
-from ._documents import Scenario, Study, Sweep
-from ._errors import Error, Place, ReadError
-from ._model import Difference, Forward, Model, State, Status, Tensions, TensionStatus, difference
-from ._plant import Controller, Measured, Motion, Plant, PlantState, Setpoint
-from ._questions import *
-from ._questions import __all__ as _asked
-from ._result import Result
-from ._robot import Parameter, Robot, robots
-from ._samples import Samples, Sigmas
-from ._views import explain, self_calibrate
-
 if TYPE_CHECKING:
-    from . import dask, gym
+    from . import dask, gym, sweep
+    from ._arrays import poses_of, rotations_of
+    from ._documents import Scenario, Study, Sweep
+    from ._errors import Error, Place, ReadError
+    from ._model import Difference, Forward, Model, State, Status, Tensions, TensionStatus, difference
+    from ._plant import Controller, Measured, Motion, Plant, PlantState, Setpoint
+    from ._questions import *
+    from ._result import Result, frame_of
+    from ._results import Mesh
+    from ._robot import Parameter, Robot, robots
+    from ._samples import Samples, Sigmas
+    from ._views import explain, self_calibrate
 
-__all__ = [
-    "Controller",
-    "Difference",
-    "Error",
-    "Forward",
-    "Measured",
-    "Model",
-    "Motion",
-    "Parameter",
-    "Place",
-    "Plant",
-    "PlantState",
-    "ReadError",
-    "Result",
-    "Robot",
-    "Samples",
-    "Scenario",
-    "Setpoint",
-    "Sigmas",
-    "State",
-    "Status",
-    "Study",
-    "Sweep",
-    "TensionStatus",
-    "Tensions",
-    "difference",
-    "explain",
-    "poses_of",
-    "robots",
-    "rotations_of",
-    "self_calibrate",
-    "sweep",
-    *_asked,
-]
+# modules are imported when a name of theirs is asked for: `import cdpr` and the command start without numpy
+_MODULES = {
+    "_arrays": ("poses_of", "rotations_of"),
+    "_documents": ("Scenario", "Study", "Sweep"),
+    "_errors": ("Error", "Place", "ReadError"),
+    "_model": ("Difference", "Forward", "Model", "State", "Status", "Tensions", "TensionStatus", "difference"),
+    "_plant": ("Controller", "Measured", "Motion", "Plant", "PlantState", "Setpoint"),
+    "_questions": (
+        "accuracy",
+        "advise",
+        "benchmark",
+        "campaign",
+        "capability",
+        "chain",
+        "check",
+        "compensate",
+        "demo",
+        "dynamics",
+        "evaluate",
+        "fk",
+        "identify",
+        "ik",
+        "initial_tension",
+        "load",
+        "model",
+        "modes",
+        "place_pulleys",
+        "plan",
+        "reachable",
+        "run",
+        "select",
+        "sensitivity",
+        "simulate",
+        "stiffness",
+        "study",
+        "tension",
+        "test_bench",
+        "workspace",
+    ),
+    "_result": ("Result", "frame_of"),
+    "_results": ("Mesh",),
+    "_robot": ("Parameter", "Robot", "robots"),
+    "_samples": ("Samples", "Sigmas"),
+    "_views": ("explain", "self_calibrate"),
+}
+_EXTRAS = ("dask", "gym", "sweep")
+_PLACES = {name: module for module, names in _MODULES.items() for name in names}
+
+__all__ = [*_PLACES, "sweep"]  # noqa: PLE0604
 
 
 def __getattr__(name: str) -> Any:
-    """Returns the modules of extras, which are imported when they are asked for."""
-    if name in ("dask", "gym"):
+    if name in _EXTRAS:
         return import_module(f"{__name__}.{name}")
-    raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    if name not in _PLACES:
+        raise AttributeError(f"module {__name__!r} has no attribute {name!r}")
+    value = getattr(import_module(f"{__name__}.{_PLACES[name]}"), name)
+    globals()[name] = value
+    return value
+
+
+def __dir__() -> list[str]:
+    return [*globals(), *_PLACES, *_EXTRAS]

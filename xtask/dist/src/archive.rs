@@ -10,7 +10,7 @@ use crate::contents::{Contents, Packed, TIME};
 
 /// Name of the archive without its extension, and of the folder in it.
 pub(crate) fn name(contents: &Contents) -> String {
-    format!("cdpr-{}-{}", contents.version, contents.platform.target)
+    format!("cdpr-{}-{}", contents.version, contents.target)
 }
 
 /// Files of the archive, sorted by their places.

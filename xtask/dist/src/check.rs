@@ -2,41 +2,43 @@
 
 use std::path::{Path, PathBuf};
 
-use crate::contents::{Contents, Packed};
-use crate::{archive, record, wheel, whole};
+use sha2::{Digest, Sha256};
 
-/// Packs a program into a folder; gives what went in, and the places of archive and wheel.
-pub(crate) fn packed(root: &Path, command: &Path, folder: &Path) -> Result<(Contents, [PathBuf; 2]), String> {
+use crate::contents::{Contents, Packed};
+use crate::{archive, whole};
+
+/// Packs a program into a folder; gives what went in, and the place of the archive.
+pub(crate) fn packed(root: &Path, command: &Path, folder: &Path) -> Result<(Contents, PathBuf), String> {
     let contents = Contents::read(root, command)?;
-    let names = [format!("{}.tar.gz", archive::name(&contents)), wheel::name(&contents)];
-    // as much work each
-    let (of_archive, of_wheel) = std::thread::scope(|scope| {
-        let of_archive = scope.spawn(|| archive::bytes(&archive::files(&contents)));
-        let of_wheel = wheel::bytes(&wheel::files(&contents));
-        (of_archive.join().unwrap_or_else(|_| Err("packing the archive panicked".to_owned())), of_wheel)
-    });
-    let paths = names.map(|name| folder.join(name));
-    whole::write(&paths[0], &of_archive?)?;
-    whole::write(&paths[1], &of_wheel?)?;
-    Ok((contents, paths))
+    let path = folder.join(format!("{}.tar.gz", archive::name(&contents)));
+    whole::write(&path, &archive::bytes(&archive::files(&contents))?)?;
+    Ok((contents, path))
 }
 
-/// Packs a program, and complains where a package gives back other files than went in or its RECORD is wrong.
+/// Packs a program, and complains where the archive gives back other files than went in.
 pub(crate) fn check(root: &Path, command: &Path, folder: &Path) -> Result<Vec<String>, String> {
-    let (contents, [of_archive, of_wheel]) = packed(root, command, folder)?;
-    let unpacked = archive::unpack(&read(&of_archive)?)?;
-    let mut complaints = others(&of_archive, &unpacked, &archive::files(&contents));
-    let unpacked = wheel::unpack(&read(&of_wheel)?)?;
-    complaints.extend(others(&of_wheel, &unpacked, &wheel::files(&contents)));
-    let place = wheel::record_place(&contents.version);
-    let record = unpacked.iter().find(|file| file.path == place);
-    let record = record.map(|file| String::from_utf8_lossy(&file.bytes)).unwrap_or_default();
-    complaints.extend(record::differences(&unpacked, &record, &place));
-    for path in [of_archive, of_wheel] {
-        let size = std::fs::metadata(&path).map(|data| data.len()).unwrap_or_default();
-        println!("{} ({:.1} MB)", path.display(), size as f64 / 1e6);
-    }
-    Ok(complaints)
+    let (contents, path) = packed(root, command, folder)?;
+    let bytes = read(&path)?;
+    println!("{} ({:.1} MB)", path.display(), bytes.len() as f64 / 1e6);
+    Ok(others(&path, &archive::unpack(&bytes)?, &archive::files(&contents)))
+}
+
+/// Writes the checksums of all packages of a folder into its file `SHA256SUMS`, as `sha256sum --check` reads them.
+pub(crate) fn sums(folder: &Path) -> Result<PathBuf, String> {
+    let entries = std::fs::read_dir(folder).map_err(|error| format!("{}: {error}", folder.display()))?;
+    let mut names: Vec<String> =
+        entries.flatten().map(|entry| entry.file_name().to_string_lossy().into_owned()).collect();
+    names.retain(|name| [".tar.gz", ".whl"].iter().any(|end| name.ends_with(end)));
+    names.sort();
+    let line = |name: &String| {
+        let digest = Sha256::digest(read(&folder.join(name))?);
+        let digits: String = digest.iter().map(|byte| format!("{byte:02x}")).collect();
+        Ok(format!("{digits}  {name}\n"))
+    };
+    let text = names.iter().map(line).collect::<Result<String, String>>()?;
+    let path = folder.join("SHA256SUMS");
+    whole::write(&path, text.as_bytes())?;
+    Ok(path)
 }
 
 fn others(package: &Path, found: &[Packed], expected: &[Packed]) -> Vec<String> {

@@ -3,7 +3,7 @@
 use std::path::Path;
 use std::process::Command;
 
-use crate::platform::Platform;
+use crate::platform;
 
 /// A file of a package.
 #[derive(Clone, Debug, PartialEq, Eq)]
@@ -61,8 +61,8 @@ const SHELLS: [(&str, &str); 5] = [
 pub(crate) struct Contents {
     /// Version of the command.
     pub(crate) version: String,
-    /// Machines on which the command runs.
-    pub(crate) platform: Platform,
+    /// Target that the command is for, as rustc calls it.
+    pub(crate) target: String,
     /// The program.
     pub(crate) program: Packed,
     /// Licences by their names in a package.
@@ -77,7 +77,7 @@ impl Contents {
     /// Reads the clone, and asks the command for its version, completions and man pages.
     pub(crate) fn read(root: &Path, command: &Path) -> Result<Self, String> {
         let program = read(command)?;
-        let platform = Platform::of(&program)?;
+        let target = platform::target(&program)?;
         let words = output(command, &["--version"])?;
         let words = String::from_utf8_lossy(&words).trim().to_owned();
         let version = words.strip_prefix("cdpr ").filter(|version| *version == env!("CARGO_PKG_VERSION"));
@@ -88,7 +88,7 @@ impl Contents {
         let of_clone = |(path, name): (&str, &str)| Ok(Packed::data(name, read(&root.join(path))?));
         Ok(Self {
             version: version.to_owned(),
-            platform,
+            target,
             program: Packed::program(format!("cdpr{}", std::env::consts::EXE_SUFFIX), program),
             licences: LICENCES.into_iter().map(of_clone).collect::<Result<_, String>>()?,
             pages: PAGES.into_iter().map(|page| of_clone((page, page))).collect::<Result<_, String>>()?,

@@ -5,22 +5,20 @@
 mod archive;
 mod check;
 mod contents;
-mod elf;
 mod expression;
 mod includes;
 mod licences;
 mod manifests;
 mod metadata;
 mod platform;
-mod record;
-mod wheel;
 mod whole;
 
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 const USAGE: &str = "\
-Usage: dist pack COMMAND FOLDER    an archive and a wheel of the program COMMAND, written into FOLDER
+Usage: dist pack COMMAND FOLDER    an archive of the program COMMAND, written into FOLDER
+       dist sums FOLDER            the file SHA256SUMS of all packages in FOLDER
        dist check COMMAND FOLDER   the same, read back and compared with what went in
        dist manifests              what every published crate states, and what it may depend on
        dist licences               licences of all packages against deny.toml";
@@ -32,6 +30,7 @@ fn main() -> ExitCode {
     let complaints = match words.as_slice() {
         ["pack", command, folder] => pack(&root, Path::new(command), Path::new(folder)),
         ["check", command, folder] => check::check(&root, Path::new(command), Path::new(folder)),
+        ["sums", folder] => check::sums(Path::new(folder)).map(|path| told(&path)),
         ["manifests"] => manifests::check(&root),
         ["licences"] => licences::check(&root),
         _ => Err(USAGE.to_owned()),
@@ -50,10 +49,13 @@ fn main() -> ExitCode {
 }
 
 fn pack(root: &Path, command: &Path, folder: &Path) -> Result<Vec<String>, String> {
-    for path in check::packed(root, command, folder)?.1 {
-        println!("wrote {}", path.display());
-    }
-    Ok(Vec::new())
+    check::packed(root, command, folder).map(|(_, path)| told(&path))
+}
+
+/// Tells of a file that was written; there is no complaint of it.
+fn told(path: &Path) -> Vec<String> {
+    println!("wrote {}", path.display());
+    Vec::new()
 }
 
 /// The workspace root. Cargo sets it for every run, so a moved clone needs no rebuild.

@@ -1,55 +1,23 @@
-//! Machines that a program runs on, in the words of Rust and of Python.
+//! Machines that a program runs on, in the words of Rust.
 
-use crate::elf::Program;
+/// First bytes of a program of 64 bits with the low byte first.
+const HEAD: &[u8] = b"\x7fELF\x02\x01";
 
-/// Processors by their number in the file of a program.
-const PROCESSORS: [(u64, &str); 2] = [(62, "x86_64"), (183, "aarch64")];
+/// Place of the number of the processor in the file of a program (ELF, `e_machine`).
+const PROCESSOR: usize = 0x12;
 
-/// Shared libraries that every Linux with the C library of GNU has (PEP 600).
-const EVERYWHERE: [&str; 8] = [
-    "ld-linux-aarch64.so.1",
-    "ld-linux-x86-64.so.2",
-    "libc.so.6",
-    "libdl.so.2",
-    "libgcc_s.so.1",
-    "libm.so.6",
-    "libpthread.so.0",
-    "librt.so.1",
-];
+/// Processors by their number there.
+const PROCESSORS: [(u16, &str); 2] = [(62, "x86_64"), (183, "aarch64")];
 
-const NOT_KNOWN: &str = "the program is not for Linux with the C library of GNU on x86_64 or aarch64, and packages are \
-                         made of no others yet; their target and tag belong into xtask/dist/src/platform.rs";
+const NOT_KNOWN: &str = "the program is not for Linux on x86_64 or aarch64, and archives are made of no others yet; their target belongs \
+                         into xtask/dist/src/platform.rs";
 
-/// Target of a program and the tag of its wheel.
-#[derive(Clone, Debug, PartialEq, Eq)]
-pub(crate) struct Platform {
-    /// As rustc calls it.
-    pub(crate) target: String,
-    /// Platform tag of a wheel: the oldest C library that has all symbols; the system alone where other libraries are
-    /// needed.
-    pub(crate) tag: String,
-}
-
-impl Platform {
-    /// As the file of the program says.
-    pub(crate) fn of(program: &[u8]) -> Result<Self, String> {
-        let known = Program::read(program).and_then(|program| {
-            let (_, processor) = PROCESSORS.iter().find(|(number, _)| *number == program.machine)?;
-            Some((*processor, newest(&program)?, program))
-        });
-        let Some((processor, minor, program)) = known else {
-            return Err(NOT_KNOWN.to_owned());
-        };
-        let is_everywhere = program.versions.iter().all(|(library, _)| EVERYWHERE.contains(&library.as_str()));
-        let system = if is_everywhere { format!("manylinux_2_{minor}") } else { "linux".to_owned() };
-        Ok(Self { target: format!("{processor}-unknown-linux-gnu"), tag: format!("{system}_{processor}") })
-    }
-}
-
-/// Newest minor version of the C library whose symbols are needed; `None` if none is.
-fn newest(program: &Program) -> Option<u32> {
-    let minor = |version: &String| version.strip_prefix("GLIBC_2.")?.split('.').next()?.parse::<u32>().ok();
-    program.versions.iter().filter_map(|(_, version)| minor(version)).max()
+/// Target of a program, as rustc calls it, by the head of its file.
+pub(crate) fn target(program: &[u8]) -> Result<String, String> {
+    let number = program.get(PROCESSOR..PROCESSOR + 2).filter(|_| program.starts_with(HEAD));
+    let number = number.map(|bytes| u16::from_le_bytes([bytes[0], bytes[1]]));
+    let known = PROCESSORS.iter().find(|(own, _)| Some(*own) == number);
+    known.map(|(_, processor)| format!("{processor}-unknown-linux-gnu")).ok_or_else(|| NOT_KNOWN.to_owned())
 }
 
 #[cfg(test)]
@@ -57,15 +25,11 @@ mod tests {
     use super::*;
 
     #[test]
-    fn the_newest_symbol_counts_by_its_number() {
-        let needs = ["GLIBC_2.2.5", "GLIBC_2.34", "GLIBC_2.9", "GCC_3.0"];
-        let versions = needs.map(|version| ("libc.so.6".to_owned(), version.to_owned())).to_vec();
-        assert_eq!(newest(&Program { machine: 62, versions }), Some(34));
-        assert_eq!(newest(&Program { machine: 62, versions: Vec::new() }), None);
-    }
-
-    #[test]
-    fn a_program_of_another_system_is_told() {
-        assert!(Platform::of(b"MZ").unwrap_err().contains("platform.rs"));
+    fn the_processor_is_read_from_the_head_and_other_systems_are_told() {
+        let mut program = [HEAD, &[0; 20]].concat();
+        program[PROCESSOR] = 183;
+        assert_eq!(target(&program).unwrap(), "aarch64-unknown-linux-gnu");
+        assert!(target(b"MZ").unwrap_err().contains("platform.rs"));
+        assert_eq!(target(&program[..PROCESSOR + 1]), Err(NOT_KNOWN.to_owned()));
     }
 }
