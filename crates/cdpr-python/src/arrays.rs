@@ -19,7 +19,7 @@ const CODE: &str = "array::unfit";
 pub(crate) fn numbers<'py>(object: &Bound<'py, PyAny>, what: &str) -> PyResult<PyReadonlyArrayDyn<'py, f64>> {
     let py = object.py();
     if let Ok(array) = object.cast::<PyArrayDyn<f64>>() {
-        let is_aligned = array.data() as usize % align_of::<f64>() == 0;
+        let is_aligned = array.data().is_aligned();
         return match array.try_readonly() {
             Ok(array) if is_aligned => Ok(array),
             Ok(_) => {

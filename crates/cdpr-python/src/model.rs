@@ -40,6 +40,9 @@ type Forward<'py> = (
     Option<Bound<'py, PyArrayDyn<f64>>>,
 );
 
+/// Tensions, and a status for each pose.
+type Distributed<'py> = (Bound<'py, PyArrayDyn<f64>>, Bound<'py, PyArray1<u8>>);
+
 #[pymethods]
 impl Model {
     #[new]
@@ -216,7 +219,7 @@ impl Model {
         limits: Option<LimitArguments<'py>>,
         wrench: Option<&Bound<'py, PyAny>>,
         out: Option<&Bound<'py, PyAny>>,
-    ) -> PyResult<(Bound<'py, PyArrayDyn<f64>>, Bound<'py, PyArray1<u8>>)> {
+    ) -> PyResult<Distributed<'py>> {
         let (model, cables) = (&*self.model, self.model.cable_count());
         let poses = Poses::of(poses, model.robot(), "poses")?;
         let load = choices::load(py, model.robot(), wrench)?;
