@@ -431,7 +431,7 @@ class AdvisedEffect(Result):
 
     @property
     def cost(self) -> str:
-        """What the effect costs, in words."""
+        """Cost of modelling the effect, in words."""
         return self._get("cost")
 
     @property
@@ -2392,7 +2392,7 @@ class CodeEntry(Result):
 
     @property
     def summary(self) -> str:
-        """What it is about, in a line."""
+        """Subject in a line."""
         return self._get("summary")
 
 
@@ -6125,7 +6125,7 @@ class ModelEffect(Result):
 
     @property
     def cost(self) -> str:
-        """What the effect costs, in words."""
+        """Cost of modelling the effect, in words."""
         return self._get("cost")
 
     @property
