@@ -39,6 +39,7 @@ position_m = 0.001
 length_m = 0.0005
 """
 
+SELECT = "select planar-example data.csv --candidates standard --out result"
 COMMANDS = [
     "robots",
     "robots cogiro",
@@ -57,7 +58,7 @@ COMMANDS = [
     "plan planar-example --free length-offset --count 3 --candidates data.csv --out planned.csv",
     "identify planar-example data.csv --free length-offset",
     "evaluate planar-example data.csv",
-    "select planar-example data.csv --candidates standard --out result",
+    SELECT,
     "accuracy study.toml",
     "study study.toml --out studied",
     "check nowhere.toml",
@@ -109,7 +110,7 @@ class Answers(unittest.TestCase):
         self.assertEqual(names["robots"], "RobotList")
         self.assertEqual(names["robots cogiro"], "RobotFile")
         self.assertEqual(names["check nowhere.toml"], "Failure")
-        self.assertEqual(names["select planar-example data.csv --candidates standard --out result"], "Selection")
+        self.assertEqual(names[SELECT], "Selection")
 
     def test_the_object_is_that_of_the_command(self):
         for text, answer in self.each():
@@ -153,7 +154,7 @@ class Answers(unittest.TestCase):
             older.status
 
     def test_rows_become_a_table(self):
-        _, answer = self.answers["select planar-example data.csv --candidates standard --out result"]
+        _, answer = self.answers[SELECT]
         try:
             table = _result.frame_of(answer.candidates)
         except ImportError as error:

@@ -973,7 +973,7 @@ export interface Workspace {
   centroid_m?: number[] | null;
   /** Probability of the bound. */
   confidence?: number | null;
-  /** Criterion in words. */
+  /** Name of the criterion. */
   criterion: string;
   /** Bound of the error of the size (m² or m³); null where there is none. */
   error_bound: number | null;
@@ -1006,7 +1006,7 @@ export interface Workspace {
   robot: string;
   /** Rank of the structure matrix, where it is below full rank everywhere. */
   singular?: Singular | null;
-  /** How the size stands to the true one. */
+  /** `value`, or a `lower bound` or `upper bound` of the size over more orientations than were judged. */
   size_is: string;
   /** Edges of the cells that the search starts with (m). */
   start_cell_m?: number[] | null;

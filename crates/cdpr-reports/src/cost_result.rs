@@ -45,7 +45,7 @@ pub struct CostRow {
     free: String,
     /// Number of measured poses.
     poses: usize,
-    /// Price, in the unit of the sweep.
+    /// Total price of sensor, model and poses.
     price: f64,
     #[serde(flatten)]
     outcome: Option<CalibrationOutcome>,

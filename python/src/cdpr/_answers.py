@@ -1967,7 +1967,9 @@ class Capability(Result):
 
     @property
     def payload_place(self) -> float:
-        """Distance of the payload's centre of mass below the platform origin (m)."""
+        """Distance from the platform origin within which the payload may lie along each axis of the platform
+        (m).
+        """
         return self._get("payload_place_m")
 
     @property
@@ -2141,7 +2143,7 @@ class Chain(Result):
 
     @property
     def first_change(self) -> tuple[float, float]:
-        """Least and largest change of an anchor coordinate by the first identification (m)."""
+        """Smallest and largest change of a frame anchor's component by the first identification (m)."""
         return self._get("first_change_m")
 
     @property
@@ -2156,7 +2158,7 @@ class Chain(Result):
 
     @property
     def left_out(self) -> tuple[str, ...]:
-        """Poses that are left out, in words."""
+        """Stages that were left out, with the reason."""
         return self._get("left_out")
 
     @property
@@ -2196,7 +2198,7 @@ class Chain(Result):
 
     @property
     def second_change(self) -> tuple[float, float]:
-        """Least and largest change of an anchor coordinate by the second identification (m)."""
+        """Smallest and largest change by the second identification (m)."""
         return self._get("second_change_m")
 
     @property
@@ -2899,7 +2901,7 @@ class CostedCalibration(Result):
 
     @property
     def price(self) -> float:
-        """Price, in the unit of the sweep."""
+        """Total price of sensor, model and poses."""
         return self._get("price")
 
     @property
@@ -3165,7 +3167,7 @@ class Dynamics(Result):
 
     @property
     def bias(self) -> Wrench:
-        """Wrench at no acceleration: gyroscopic forces minus the load."""
+        """n, the wrench that the velocity takes: centrifugal, gyroscopic and damping parts (N, N·m)."""
         return self._get("bias", Wrench)
 
     @property
@@ -4397,7 +4399,9 @@ class HomePose(Result):
 
     @property
     def condition(self) -> float | None:
-        """Condition of the structure matrix, moments divided by a length; `None` below full rank."""
+        """Condition of the structure matrix, moment rows divided by the mean platform radius; `None` where it
+        has none.
+        """
         return self._get("condition")
 
     @property
@@ -4407,7 +4411,7 @@ class HomePose(Result):
 
     @property
     def feasible_note(self) -> str:
-        """The same in words."""
+        """The reason in words."""
         return self._get("feasible_note")
 
     @property
@@ -5819,7 +5823,7 @@ class LinearTolerance(Result):
 
 
 class LoadSection(Result):
-    """Wrench of some of the cables."""
+    """Wrench that a group of cables exerts on the platform."""
 
     __slots__ = ()
     _KEYS: ClassVar[tuple[tuple[str, str, bool], ...]] = (
@@ -5831,7 +5835,7 @@ class LoadSection(Result):
 
     @property
     def cables(self) -> tuple[int, ...]:
-        """Cables of the section, from 1."""
+        """Its cables, from 1."""
         return self._get("cables")
 
     @property
@@ -5846,7 +5850,7 @@ class LoadSection(Result):
 
     @property
     def name(self) -> str:
-        """Name of the section."""
+        """Name of the group."""
         return self._get("name")
 
 
@@ -6071,22 +6075,23 @@ class Mode(Result):
 
     @property
     def damping_ratio(self) -> float | None:
-        """Damping as a share of the critical one; `None` where it has no meaning."""
+        """Damping as a fraction of critical damping; `None` if the mode does not oscillate."""
         return self._get("damping_ratio")
 
     @property
     def frequency(self) -> float | None:
-        """Frequency (Hz)."""
+        """Natural frequency (Hz); negative if the motion grows, 0 if its stiffness counts as none."""
         return self._get("frequency_Hz")
 
     @property
     def participation(self) -> tuple[float, ...]:
-        """Share of each degree of freedom in the kinetic energy."""
+        """Fraction of each degree of freedom in the kinetic energy of the mode."""
         return self._get("participation")
 
     @property
     def shape(self) -> tuple[float, ...]:
-        """Shape of the mode by the degrees of freedom."""
+        """Displacements along the degrees of freedom (m, rad), then angles of drums (rad), for modal mass 1.
+        """
         return self._get("shape")
 
     @property
@@ -6096,7 +6101,7 @@ class Mode(Result):
 
     @property
     def stiffness(self) -> float | None:
-        """Stiffness of the mode (N/m)."""
+        """Stiffness along the mode (N/m), rotations by the platform radius."""
         return self._get("stiffness_N_per_m")
 
 
@@ -6135,12 +6140,14 @@ class ModelEffect(Result):
 
     @property
     def length_change_beyond_home(self) -> LengthChange | None:
-        """Change of the cable lengths less that at the home pose, where winches are set (m)."""
+        """The lengths minus those at the home pose (m): the part that winch offsets set there do not
+        compensate.
+        """
         return self._get("length_change_beyond_home_m", LengthChange)
 
     @property
     def length_change(self) -> LengthChange | None:
-        """Change of the cable lengths by the effect (m)."""
+        """Controlled lengths of the control model minus those of the machine (m)."""
         return self._get("length_change_m", LengthChange)
 
     @property
@@ -6150,12 +6157,12 @@ class ModelEffect(Result):
 
     @property
     def platform(self) -> Displacement | None:
-        """Displacement of the platform where a controller leaves the effect out."""
+        """Displacement of the machine's platform under the control model's lengths."""
         return self._get("platform", Displacement)
 
     @property
     def platform_beyond_home(self) -> Displacement | None:
-        """Displacement where winches are set at the home pose."""
+        """Displacement of the platform under these lengths."""
         return self._get("platform_beyond_home", Displacement)
 
     @property
@@ -6170,7 +6177,9 @@ class ModelEffect(Result):
 
     @property
     def tension_change(self) -> float | None:
-        """Largest change of a tension (N)."""
+        """Largest change of the tensions that balance the load and are nearest to the middle of the limits
+        (N).
+        """
         return self._get("tension_change_N")
 
 
@@ -7361,7 +7370,7 @@ class PlatformLoad(Result):
 
     @property
     def external(self) -> tuple[float, ...] | None:
-        """Part of the tensions that makes the wrench (N)."""
+        """Part of the tensions that carries the load (N); entries may be negative."""
         return self._get("external_N")
 
     @property
@@ -7371,7 +7380,7 @@ class PlatformLoad(Result):
 
     @property
     def internal(self) -> tuple[float, ...] | None:
-        """Part of the tensions that makes no wrench (N)."""
+        """Part of the tensions that tightens the cables against each other without a wrench (N)."""
         return self._get("internal_N")
 
     @property
@@ -7416,7 +7425,7 @@ class PlatformLoad(Result):
 
     @property
     def sections(self) -> tuple[LoadSection, ...] | None:
-        """Wrenches of the sections of the cables, where there are several."""
+        """Wrenches that groups of cables exert on the platform, where groups were asked for."""
         return self._find("sections", LoadSection)
 
     @property
@@ -9964,7 +9973,7 @@ class Stiffness(Result):
 
     @property
     def cable(self) -> tuple[tuple[float, ...], ...] | None:
-        """Part of it by the stretch of the cables."""
+        """Part from the stretch of the cables, row by row."""
         return self._get("cable")
 
     @property
@@ -9994,12 +10003,12 @@ class Stiffness(Result):
 
     @property
     def geometric(self) -> tuple[tuple[float, ...], ...] | None:
-        """Part of it by the tensions."""
+        """Part from the turning of cables and moment arms under tension, row by row; it is subtracted."""
         return self._get("geometric")
 
     @property
     def gravity(self) -> tuple[tuple[float, ...], ...] | None:
-        """Part of it by the weight."""
+        """Part from the weight's moment, which turns with the platform, row by row; it is subtracted."""
         return self._get("gravity")
 
     @property
@@ -11003,7 +11012,7 @@ class TestBench(Result):
 
     @property
     def hysteresis_error(self) -> LawError:
-        """Errors of the law with two branches."""
+        """Errors of the law with hysteresis."""
         return self._get("hysteresis_error", LawError)
 
     @property
@@ -11040,17 +11049,17 @@ class TestBench(Result):
 
     @property
     def loading_error(self) -> LawError:
-        """Errors of its loading branch."""
+        """Its errors while the elongation grows."""
         return self._get("loading_error", LawError)
 
     @property
     def loading_strokes(self) -> int:
-        """Number of strokes at which the tension rises."""
+        """Number of full strokes with growing elongation."""
         return self._get("loading_strokes")
 
     @property
     def loss_per_cycle(self) -> float:
-        """Energy that a cycle costs by the law (J)."""
+        """Energy that a cycle over the whole record loses by the law (J)."""
         return self._get("loss_per_cycle_J")
 
     @property
@@ -11090,7 +11099,7 @@ class TestBench(Result):
 
     @property
     def recorded_loss_per_cycle(self) -> float:
-        """Energy that a recorded cycle costs (J)."""
+        """The same by the areas under the full strokes of the record (J)."""
         return self._get("recorded_loss_per_cycle_J")
 
     @property
@@ -11110,12 +11119,12 @@ class TestBench(Result):
 
     @property
     def stiffness_max(self) -> float:
-        """Largest slope of the branches (N/m)."""
+        """Largest slope of the loading branch over the record (N/m)."""
         return self._get("stiffness_max_N_per_m")
 
     @property
     def stiffness_min(self) -> float:
-        """Smallest slope of the branches (N/m)."""
+        """Smallest slope of the loading branch over the record (N/m)."""
         return self._get("stiffness_min_N_per_m")
 
     @property
@@ -11140,12 +11149,12 @@ class TestBench(Result):
 
     @property
     def unloading_error(self) -> LawError:
-        """Errors of its unloading branch."""
+        """Its errors while the elongation shrinks."""
         return self._get("unloading_error", LawError)
 
     @property
     def unloading_strokes(self) -> int:
-        """Number of strokes at which the tension falls."""
+        """Number of full strokes with shrinking elongation."""
         return self._get("unloading_strokes")
 
     @property
@@ -11155,7 +11164,7 @@ class TestBench(Result):
 
     @property
     def zero_elongation(self) -> float:
-        """Elongation at which the cable has no tension (m)."""
+        """Elongation at which the cable has no tension, extrapolated (m)."""
         return self._get("zero_elongation_m")
 
 
@@ -11309,7 +11318,7 @@ class WinchState(Result):
 
     @property
     def poses(self) -> int:
-        """Poses that the distances are of."""
+        """Poses that count: the machine comes to rest there, and there is a target."""
         return self._get("poses")
 
     @property
@@ -11426,7 +11435,7 @@ class Workspace(Result):
 
     @property
     def criterion(self) -> str:
-        """Criterion in words."""
+        """Name of the criterion."""
         return self._get("criterion")
 
     @property
@@ -11526,7 +11535,8 @@ class Workspace(Result):
 
     @property
     def size_is(self) -> str:
-        """How the size stands to the true one."""
+        """`value`, or a `lower bound` or `upper bound` of the size over more orientations than were judged.
+        """
         return self._get("size_is")
 
     @property

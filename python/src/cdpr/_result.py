@@ -28,8 +28,8 @@ _LONGEST_SHOWN = 32
 class Result:
     """Answer of a command, or a part of one: immutable, with a read-only attribute per key.
 
-    Attributes are named like the keys of the JSON object without their units. They are read when they are asked for: objects
-    become results, lists tuples. Keys that a class does not know stay in the object.
+    Attributes are named like the keys of the JSON object without their units. They are read when they are asked
+    for: objects become results, lists tuples. Keys that a class does not know stay in the object.
     """
 
     __slots__ = ("_data", "_given", "_line", "_read", "_written")

@@ -23,7 +23,7 @@ pub struct CapabilityAnswer {
     model: String,
     /// Box, ends along each axis of the robot.
     box_m: Vec<f64>,
-    /// Distance of the payload's centre of mass below the platform origin (m).
+    /// Distance from the platform origin within which the payload may lie along each axis of the platform (m).
     #[serde(rename = "payload_place_m")]
     payload_place: f64,
     /// Gap that was asked for.

@@ -33,16 +33,16 @@ pub struct ChainAnswer {
     region_m: Vec<[f64; 2]>,
     /// Stages in their order.
     steps: Vec<StepAnswer>,
-    /// Least and largest change of an anchor coordinate by the first identification (m).
+    /// Smallest and largest change of a frame anchor's component by the first identification (m).
     first_change_m: [f64; 2],
-    /// Least and largest change of an anchor coordinate by the second identification (m).
+    /// Smallest and largest change by the second identification (m).
     second_change_m: [f64; 2],
     /// Errors before stages divided by those after them.
     ratios: Vec<Ratio>,
     /// Force control by the identified elastostatic model beside that by the nominal one.
     #[serde(skip_serializing_if = "Option::is_none")]
     force_tracking: Option<TrackingAnswer>,
-    /// Poses that are left out, in words.
+    /// Stages that were left out, with the reason.
     left_out: Vec<String>,
     /// The caution about force tracking; remarks follow it.
     warnings: Vec<String>,

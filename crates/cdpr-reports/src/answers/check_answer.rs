@@ -60,11 +60,11 @@ struct Home {
     pose: PoseAnswer,
     /// Rank of the structure matrix; null where a cable has no unique path.
     rank: Option<usize>,
-    /// Condition of the structure matrix, moments divided by a length; null below full rank.
+    /// Condition of the structure matrix, moment rows divided by the mean platform radius; null where it has none.
     condition: Option<f64>,
     /// True where tensions within the limits hold the load; null where this is not known.
     feasible: Option<bool>,
-    /// The same in words.
+    /// The reason in words.
     feasible_note: String,
 }
 

@@ -34,7 +34,7 @@ pub struct DynamicsAnswer {
     angular_velocity_rad_s: Option<AngularRate>,
     /// M (kg, kg·m, kg·m²) and n (N, N·m) of M \[v̇; ω̇\] + n = wrench.
     mass_matrix: Vec<Vec<f64>>,
-    /// Wrench at no acceleration: gyroscopic forces minus the load.
+    /// n, the wrench that the velocity takes: centrifugal, gyroscopic and damping parts (N, N·m).
     bias: WrenchAnswer,
     /// Acceleration of the platform origin (m/s²).
     acceleration_m_s2: Vec<f64>,

@@ -42,17 +42,17 @@ struct EffectAnswer {
     replaced_by: Option<&'static str>,
     /// Model without the effect, by which the lengths are commanded.
     control_model: String,
-    /// Change of the cable lengths by the effect (m).
+    /// Controlled lengths of the control model minus those of the machine (m).
     length_change_m: Option<LengthChange>,
-    /// Largest change of a tension (N).
+    /// Largest change of the tensions that balance the load and are nearest to the middle of the limits (N).
     #[serde(rename = "tension_change_N")]
     tension_change: Option<f64>,
-    /// Displacement of the platform where a controller leaves the effect out.
+    /// Displacement of the machine's platform under the control model's lengths.
     #[serde(with = "Maybe::<DisplacementKeys>")]
     platform: Option<Displacement>,
-    /// Change of the cable lengths less that at the home pose, where winches are set (m).
+    /// The lengths minus those at the home pose (m): the part that winch offsets set there do not compensate.
     length_change_beyond_home_m: Option<LengthChange>,
-    /// Displacement where winches are set at the home pose.
+    /// Displacement of the platform under these lengths.
     #[serde(with = "Maybe::<DisplacementKeys>")]
     platform_beyond_home: Option<Displacement>,
     /// Number of parameters that the effect adds.

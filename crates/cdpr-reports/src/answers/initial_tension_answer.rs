@@ -71,7 +71,7 @@ keys! {
     WinchStateKeys of WinchState {
         /// Largest distance of a tension from its target at a pose (N).
         fit.largest = "largest_N",
-        /// Poses that the distances are of.
+        /// Poses that count: the machine comes to rest there, and there is a target.
         fit.poses = "poses",
         /// Poses with a tension outside its limits.
         fit.outside = "poses_outside_limits",

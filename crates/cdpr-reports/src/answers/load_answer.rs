@@ -32,26 +32,26 @@ pub struct LoadAnswer {
 struct Statics {
     #[serde(flatten)]
     wrench: WrenchAnswer,
-    /// Part of the tensions that makes no wrench (N).
+    /// Part of the tensions that tightens the cables against each other without a wrench (N).
     #[serde(rename = "internal_N")]
     internal: Option<Vec<f64>>,
-    /// Part of the tensions that makes the wrench (N).
+    /// Part of the tensions that carries the load (N); entries may be negative.
     #[serde(rename = "external_N")]
     external: Option<Vec<f64>>,
     /// Rank of the structure matrix.
     rank: Option<usize>,
-    /// Wrenches of the sections of the cables, where there are several.
+    /// Wrenches that groups of cables exert on the platform, where groups were asked for.
     #[serde(skip_serializing_if = "Vec::is_empty")]
     sections: Vec<Section>,
 }
 
-/// Wrench of some of the cables.
+/// Wrench that a group of cables exerts on the platform.
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "LoadSection")]
 struct Section {
-    /// Name of the section.
+    /// Name of the group.
     name: String,
-    /// Cables of the section, from 1.
+    /// Its cables, from 1.
     cables: Vec<usize>,
     #[serde(flatten)]
     wrench: WrenchAnswer,

@@ -61,19 +61,19 @@ pub struct ModesAnswer {
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "Mode", transform = nullable_numbers)]
 struct ModeAnswer {
-    /// Frequency (Hz).
+    /// Natural frequency (Hz); negative if the motion grows, 0 if its stiffness counts as none.
     #[serde(rename = "frequency_Hz")]
     frequency: f64,
     /// `stable`, `indifferent`, `unstable`.
     stability: &'static str,
-    /// Stiffness of the mode (N/m).
+    /// Stiffness along the mode (N/m), rotations by the platform radius.
     #[serde(rename = "stiffness_N_per_m")]
     stiffness: f64,
-    /// Damping as a share of the critical one; null where it has no meaning.
+    /// Damping as a fraction of critical damping; null if the mode does not oscillate.
     damping_ratio: f64,
-    /// Shape of the mode by the degrees of freedom.
+    /// Displacements along the degrees of freedom (m, rad), then angles of drums (rad), for modal mass 1.
     shape: Vec<f64>,
-    /// Share of each degree of freedom in the kinetic energy.
+    /// Fraction of each degree of freedom in the kinetic energy of the mode.
     participation: Vec<f64>,
 }
 

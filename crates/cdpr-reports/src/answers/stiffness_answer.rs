@@ -40,11 +40,11 @@ pub struct StiffnessAnswer {
 struct Matrices {
     /// Stiffness of the platform (N/m, N, N·m), row by row.
     stiffness: Option<Rows>,
-    /// Part of it by the tensions.
+    /// Part from the turning of cables and moment arms under tension, row by row; it is subtracted.
     geometric: Option<Rows>,
-    /// Part of it by the stretch of the cables.
+    /// Part from the stretch of the cables, row by row.
     cable: Option<Rows>,
-    /// Part of it by the weight.
+    /// Part from the weight's moment, which turns with the platform, row by row; it is subtracted.
     gravity: Option<Rows>,
     /// Inverse of the stiffness, row by row; null where it has none.
     compliance: Option<Rows>,

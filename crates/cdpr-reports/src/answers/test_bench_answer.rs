@@ -43,9 +43,9 @@ pub struct TestBenchAnswer {
     record: String,
     /// Number of samples.
     samples: usize,
-    /// Number of strokes at which the tension rises.
+    /// Number of full strokes with growing elongation.
     loading_strokes: usize,
-    /// Number of strokes at which the tension falls.
+    /// Number of full strokes with shrinking elongation.
     unloading_strokes: usize,
     /// Smallest tension of the record (N).
     tension_min_N: f64,
@@ -55,13 +55,13 @@ pub struct TestBenchAnswer {
     elongation_min_m: f64,
     /// Largest elongation of the record (m).
     elongation_max_m: f64,
-    /// Elongation at which the cable has no tension (m).
+    /// Elongation at which the cable has no tension, extrapolated (m).
     zero_elongation_m: f64,
-    /// Errors of the law with two branches.
+    /// Errors of the law with hysteresis.
     hysteresis_error: ErrorAnswer,
-    /// Errors of its loading branch.
+    /// Its errors while the elongation grows.
     loading_error: ErrorAnswer,
-    /// Errors of its unloading branch.
+    /// Its errors while the elongation shrinks.
     unloading_error: ErrorAnswer,
     /// Errors of the polynomial from no tension.
     polynomial_error: Option<ErrorAnswer>,
@@ -83,13 +83,13 @@ pub struct TestBenchAnswer {
     intercept_N: Option<f64>,
     /// Its coefficients in the strain (N), from the first power on.
     intercept_coefficients_N: Option<Vec<f64>>,
-    /// Smallest slope of the branches (N/m).
+    /// Smallest slope of the loading branch over the record (N/m).
     stiffness_min_N_per_m: f64,
-    /// Largest slope of the branches (N/m).
+    /// Largest slope of the loading branch over the record (N/m).
     stiffness_max_N_per_m: f64,
-    /// Energy that a cycle costs by the law (J).
+    /// Energy that a cycle over the whole record loses by the law (J).
     loss_per_cycle_J: f64,
-    /// Energy that a recorded cycle costs (J).
+    /// The same by the areas under the full strokes of the record (J).
     recorded_loss_per_cycle_J: f64,
     /// Table of the branches, as robot files have it.
     hysteresis: HysteresisTable,

@@ -38,7 +38,7 @@ pub struct WorkspaceAnswer {
     reason: Option<String>,
     robot: String,
     model: String,
-    /// Criterion in words.
+    /// Name of the criterion.
     criterion: String,
     /// Kind of workspace by its orientations.
     archetype: &'static str,
@@ -54,7 +54,7 @@ pub struct WorkspaceAnswer {
     /// Volume (m³), of a spatial robot; null where it has none.
     #[serde(rename = "volume_m3", skip_serializing_if = "Unless::is_other")]
     volume: Unless,
-    /// How the size stands to the true one.
+    /// `value`, or a `lower bound` or `upper bound` of the size over more orientations than were judged.
     size_is: &'static str,
     /// Bound of the error of the size (m² or m³); null where there is none.
     error_bound: Option<f64>,
