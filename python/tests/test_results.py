@@ -5,21 +5,11 @@ import json
 import os
 import pickle
 import subprocess
-import sys
 import tempfile
 import unittest
 from pathlib import Path
 
-# the package's own compiled parts are not needed here
-SOURCES = Path(__file__).resolve().parents[1] / "src" / "cdpr"
-if "cdpr" not in sys.modules:
-    import types
-
-    package = types.ModuleType("cdpr")
-    package.__path__ = [str(SOURCES)]
-    sys.modules["cdpr"] = package
-
-from cdpr import _answers, _result  # noqa: E402
+from cdpr import _answers, _result
 
 STUDY = """
 [control]
@@ -88,7 +78,7 @@ class Answers(unittest.TestCase):
                 run = subprocess.run(command, cwd=folder, capture_output=True, text=True, check=False)
                 data = json.loads(run.stdout)
                 name = "error" if data["status"] == "error" else words.split()[0]
-                cls.answers[words] = (run.stdout, _result.Result._of_first(_answers.ANSWERS[name], data))
+                cls.answers[words] = (run.stdout, _result.Result._class_for(_answers.ANSWERS[name], data)._of(data))
 
     def each(self):
         for words, (text, answer) in self.answers.items():

@@ -3,6 +3,7 @@
 import concurrent.futures
 import hashlib
 import json
+import logging
 import os
 import pickle
 import signal
@@ -113,6 +114,8 @@ class OnDask(unittest.TestCase):
             self.skipTest("distributed is not there")
         import dask
 
+        # deaths are meant here
+        logging.getLogger("distributed").setLevel(logging.CRITICAL)
         plan = cdpr.sweep.plan(SWEEP)
         expected = hashlib.sha256(cdpr.sweep.run(plan).attached["sweep/result.json"]).hexdigest()
         with (

@@ -69,7 +69,8 @@ fn text(root: &Path) -> Result<String, String> {
     };
     let own = packages.iter().filter(|package| package.licence == Licence::Own);
     let own = own.map(terms_of_its_own).collect::<Result<Vec<_>, _>>()?.concat();
-    Ok([HEAD, &bundle, RUST, &list(&mit)?, "\n", &mit.shown, APACHE, &list(&apache)?, "\n", &apache.shown, OWN, &own].concat())
+    Ok([HEAD, &bundle, RUST, &list(&mit)?, "\n", &mit.shown, APACHE, &list(&apache)?, "\n", &apache.shown, OWN, &own]
+        .concat())
 }
 
 /// A licence's text: as it is shown, and bare of copyright lines, headings and line breaks, to compare with.
