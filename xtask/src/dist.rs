@@ -66,6 +66,10 @@ pub(crate) fn check(root: &Path) -> Outcome {
     for installed in [by_tar(&folder, &packages), by_pip(&folder, &packages, python.as_deref())] {
         sum.add(installed.unwrap_or_else(|complaint| Outcome::of(vec![complaint])));
     }
+    if let Some(python) = &python {
+        // what the wheel depends on; the command alone did without
+        sum.add(Outcome::of(environments::pip(python, &[python::NUMPY]).err().into_iter().collect()));
+    }
     sum.add(readme::check(root, &folder, python.as_deref()));
     sum
 }

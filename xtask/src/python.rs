@@ -11,6 +11,9 @@ use crate::{cargo, environments};
 const TYPES: [&[&str]; 2] =
     [&["-m", "mypy", "src/cdpr"], &["-m", "mypy.stubtest", "cdpr._cdpr", "--mypy-config-file", "pyproject.toml"]];
 
+/// The one package that the package needs.
+pub(crate) const NUMPY: &str = "numpy>=1.23";
+
 /// Sees to it that the package's Python is there.
 pub(crate) fn fetch(root: &Path) -> Result<(), String> {
     environment(root).map(|_| ())
