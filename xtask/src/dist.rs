@@ -18,9 +18,12 @@ pub(crate) fn pack(root: &Path, with_zig: bool) -> Result<(), String> {
     let _ = std::fs::remove_dir_all(&folder);
     cargo::succeed(root, &["build", "--release", "--locked", "-p", "cdpr-cli"]).into_result()?;
     start(root, &["pack", &path(&cargo::built(root, "release", "cdpr")), &path(&folder)]).into_result()?;
-    let words: &[&str] =
-        if with_zig { &["--sdist", "--zig", "--compatibility", "manylinux_2_17"] } else { &["--sdist"] };
+    let words: &[&str] = if with_zig { &["--zig", "--compatibility", "manylinux_2_17"] } else { &[] };
+    if with_zig {
+        python::fetch_zig(root)?;
+    }
     python::wheel(root, &folder, words)?;
+    python::sources(root, &folder)?;
     let made = [python::the_wheel(&folder)?, packed(&folder, &format!("cdpr-{}.tar.gz", env!("CARGO_PKG_VERSION")))?];
     python::check_packages(root, &made)?;
     start(root, &["sums", &path(&folder)]).into_result()

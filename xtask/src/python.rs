@@ -24,13 +24,24 @@ fn environment(root: &Path) -> Result<PathBuf, String> {
     environments::with_packages(root, "python/requirements.txt", "target/python-venv")
 }
 
-/// Builds the wheel into a folder, with the profile and the folder of the build for release; the source distribution, too, where it is asked for.
-/// Wheels for older systems need `ziglang` from PyPI.
+/// Builds the wheel into a folder, with the profile and the folder of the build for release, and further words for maturin.
 pub(crate) fn wheel(root: &Path, folder: &Path, words: &[&str]) -> Result<(), String> {
     let python = environment(root)?;
     let mut maturin = Command::new(&python);
     maturin.args(["-m", "maturin", "build", "--quiet", "--release", "--locked", "--out"]).arg(folder).args(words);
     run(as_cargo(root, maturin))
+}
+
+/// Writes the source distribution into a folder.
+pub(crate) fn sources(root: &Path, folder: &Path) -> Result<(), String> {
+    let mut maturin = Command::new(environment(root)?);
+    maturin.args(["-m", "maturin", "sdist", "--out"]).arg(folder);
+    run(as_cargo(root, maturin))
+}
+
+/// Sees to it that wheels can be made for older systems.
+pub(crate) fn fetch_zig(root: &Path) -> Result<(), String> {
+    environments::pip(&environment(root)?, &["ziglang"])
 }
 
 /// Checks the packages in a folder as PyPI does.
