@@ -110,6 +110,17 @@ class Statics(unittest.TestCase):
             self.model.feasible(self.poses, limits=(500.0, 12000.0), wrench=weight), found.feasible
         )
 
+    def test_criteria_by_name_are_masks_and_margins(self) -> None:
+        mask = self.model.satisfies(self.poses, "wrench-feasible")
+        np.testing.assert_array_equal(mask, self.model.feasible(self.poses))
+        margins = self.model.margins(self.poses, "wrench-feasible")
+        np.testing.assert_array_equal(margins.margin >= 0.0, mask)
+        self.assertTrue(margins.unit)
+        both = self.model.satisfies(self.poses, ["wrench-feasible", "wrench-closure"])
+        self.assertTrue((both <= mask).all())
+        with self.assertRaises(cdpr.Error):
+            self.model.satisfies(self.poses, "no-such-criterion")
+
     def test_stiffness_is_the_wrench_by_the_displacement(self) -> None:
         pose = self.poses[0]
         weight = -self.model.structure_matrix(pose) @ np.full(8, 4000.0)

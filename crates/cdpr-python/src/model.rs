@@ -6,8 +6,10 @@ use cdpr::Robot as RobotData;
 use cdpr::equilibrium::{self, ForwardAnswers, ForwardRows, ForwardSettings, RowsError, Status};
 use cdpr::geometry::{Pose, PoseBatch};
 use cdpr::nalgebra::DMatrix;
-use cdpr::statics::Stiffness;
-use cdpr::tension;
+use cdpr::statics::{Load, Stiffness};
+use cdpr::tension::{self, Limits};
+use cdpr::workspace::criterion::registry::{self, CriterionRequest, Setting};
+use cdpr::workspace::{Criterion, Verdict};
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::prelude::*;
 
@@ -39,6 +41,9 @@ type Forward<'py> = (
     Bound<'py, PyArray1<u32>>,
     Option<Bound<'py, PyArrayDyn<f64>>>,
 );
+
+/// Margins, limiting cables, and the unit of the margins.
+type Margins<'py> = (Bound<'py, PyArrayDyn<f64>>, Bound<'py, PyArray1<i64>>, String);
 
 /// Tensions, and a status for each pose.
 type Distributed<'py> = (Bound<'py, PyArrayDyn<f64>>, Bound<'py, PyArray1<u8>>);
@@ -261,6 +266,44 @@ impl Model {
         Ok(PyArray1::from_vec(py, answers))
     }
 
+    /// Whether criteria by name hold, pose by pose.
+    #[pyo3(signature = (poses, criteria, limits=None, wrench=None))]
+    fn satisfies<'py>(
+        &self,
+        py: Python<'py>,
+        poses: &Bound<'py, PyAny>,
+        criteria: Vec<String>,
+        limits: Option<LimitArguments<'py>>,
+        wrench: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Bound<'py, PyArray1<bool>>> {
+        let setting = self.setting(py, limits, wrench)?;
+        let criterion = criterion(py, &criteria, &setting)?;
+        let poses = Poses::of(poses, self.model.robot(), "poses")?.all(py)?;
+        let mut answers = vec![false; poses.len()];
+        py.detach(|| criterion.holds_all(&poses, &mut answers));
+        Ok(PyArray1::from_vec(py, answers))
+    }
+
+    /// Margins of a criterion by name, pose by pose, in its unit, and the limiting cables (from 0; -1 if there is none).
+    #[pyo3(signature = (poses, criterion, limits=None, wrench=None))]
+    fn margins<'py>(
+        &self,
+        py: Python<'py>,
+        poses: &Bound<'py, PyAny>,
+        criterion: &str,
+        limits: Option<LimitArguments<'py>>,
+        wrench: Option<&Bound<'py, PyAny>>,
+    ) -> PyResult<Margins<'py>> {
+        let setting = self.setting(py, limits, wrench)?;
+        let criterion = self::criterion(py, &[criterion.to_owned()], &setting)?;
+        let poses = Poses::of(poses, self.model.robot(), "poses")?.all(py)?;
+        let verdicts: Vec<Verdict> = py.detach(|| poses.iter().map(|pose| criterion.judge(pose)).collect());
+        let margins: Vec<f64> = verdicts.iter().map(|verdict| verdict.margin).collect();
+        let cables = verdicts.iter().map(|verdict| verdict.cable.map_or(-1, |cable| cable as i64)).collect();
+        let unit = criterion.unit().to_owned();
+        Ok((array(py, &margins, &[margins.len()])?, PyArray1::from_vec(py, cables), unit))
+    }
+
     /// Structure matrices Aᵀ: wrenches of unit tensions.
     #[pyo3(signature = (poses, out=None))]
     fn structure_matrix<'py>(
@@ -294,6 +337,13 @@ impl Model {
             Some(Stiffness::at(model, pose, own, &load).ok()?.system)
         })
     }
+}
+
+/// The criterion that all of these names ask for.
+fn criterion<'a>(py: Python<'_>, names: &[String], setting: &Setting<'a>) -> PyResult<Box<dyn Criterion + 'a>> {
+    let wanted =
+        names.iter().map(|name| name.parse::<CriterionRequest>()).collect::<Result<Vec<_>, _>>().or_raise(py)?;
+    registry::all(&wanted, setting).or_raise(py)
 }
 
 /// Lengths along a course of poses under tensions, of cables that remember; NaN where there are none.
@@ -349,6 +399,27 @@ fn course_of_poses(
 }
 
 impl Model {
+    /// Inputs of criteria: load and limits as given, or those of the robot if it states them.
+    fn setting(
+        &self,
+        py: Python<'_>,
+        limits: Option<LimitArguments<'_>>,
+        wrench: Option<&Bound<'_, PyAny>>,
+    ) -> PyResult<Setting<'_>> {
+        let robot = self.model.robot();
+        Ok(Setting {
+            model: &self.model,
+            load: match wrench {
+                Some(_) => Ok(choices::load(py, robot, wrench)?),
+                None => Load::of(robot),
+            },
+            limits: match limits {
+                Some(_) => Ok(choices::limits(py, robot, limits)?),
+                None => Limits::of(robot, None, None),
+            },
+        })
+    }
+
     /// A matrix for each pose; NaN where there is none.
     fn matrices<'py>(
         &self,

@@ -15,7 +15,7 @@ pub mod criterion {
         //! Criteria by name.
 
         #[doc(inline)]
-        pub use cdpr_workspace::criterion::registry::CriterionRequest;
+        pub use cdpr_workspace::criterion::registry::{CriterionRequest, Setting, all};
     }
 }
 

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from ._arrays import poses_of, rotations_of
     from ._documents import Scenario, Study, Sweep
     from ._errors import Error, Place, ReadError
-    from ._model import Difference, Forward, Model, State, Status, Tensions, TensionStatus, difference
+    from ._model import Difference, Forward, Margins, Model, State, Status, Tensions, TensionStatus, difference
     from ._plant import Controller, Measured, Motion, Plant, PlantState, Setpoint
     from ._questions import *
     from ._result import Result, frame_of
@@ -30,7 +30,7 @@ _MODULES = {
     "_arrays": ("poses_of", "rotations_of"),
     "_documents": ("Scenario", "Study", "Sweep"),
     "_errors": ("Error", "Place", "ReadError"),
-    "_model": ("Difference", "Forward", "Model", "State", "Status", "Tensions", "TensionStatus", "difference"),
+    "_model": ("Difference", "Forward", "Margins", "Model", "State", "Status", "Tensions", "TensionStatus", "difference"),
     "_plant": ("Controller", "Measured", "Motion", "Plant", "PlantState", "Setpoint"),
     "_questions": (
         "accuracy",

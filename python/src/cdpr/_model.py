@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import IntEnum
 from typing import Any
@@ -90,6 +91,21 @@ class Tensions:
 
     def __repr__(self) -> str:
         return f"<cdpr.Tensions: {int(self.feasible.sum())} of {self.status.size} feasible>"
+
+
+@dataclass(frozen=True, eq=False)
+class Margins:
+    """By how much a criterion holds at N poses."""
+
+    margin: Array
+    """Signed margins (N,) in ``unit``: at least 0 where it holds, below 0 where it fails, -inf if no change of the quantity would help."""
+    cable: npt.NDArray[np.int64]
+    """Limiting cables (N,), from 0; -1 where there is none."""
+    unit: str
+    """Unit of the margins; ``1`` without a dimension."""
+
+    def __repr__(self) -> str:
+        return f"<cdpr.Margins: {int((self.margin >= 0).sum())} of {self.margin.size} hold, unit {self.unit}>"
 
 
 class State:
@@ -240,6 +256,24 @@ class Model:
     ) -> npt.NDArray[np.bool_]:
         """Returns true (N,) where tensions within the limits balance the load: the wrench-feasible poses."""
         return self._data.feasible(poses, limits, wrench)
+
+    def satisfies(
+        self,
+        poses: Numbers,
+        criteria: str | Sequence[str],
+        *,
+        limits: tuple[Any, Any] | None = None,
+        wrench: Numbers | None = None,
+    ) -> npt.NDArray[np.bool_]:
+        """Returns true (N,) where criteria hold, by the names that :func:`cdpr.workspace` knows: ``wrench-feasible``, ``wrench-closure``,
+        ``stiffness:…``, ``clearance:…``, … A mask over poses of one's own."""
+        return self._data.satisfies(poses, [criteria] if isinstance(criteria, str) else list(criteria), limits, wrench)
+
+    def margins(
+        self, poses: Numbers, criterion: str, *, limits: tuple[Any, Any] | None = None, wrench: Numbers | None = None
+    ) -> Margins:
+        """Returns by how much a criterion holds or fails at the poses; see :class:`Margins`."""
+        return Margins(*self._data.margins(poses, criterion, limits, wrench))
 
     def structure_matrix(self, poses: Numbers, out: Array | None = None) -> Array:
         """Returns the structure matrices Aᵀ (N, n, m): column i is the wrench of a unit tension in cable i (world axes, moment about the
