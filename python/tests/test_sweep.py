@@ -14,7 +14,7 @@ import unittest
 from pathlib import Path
 
 import cdpr
-from support import STUDIES, command
+from support import STUDIES, command, study
 
 SWEEP = STUDIES / "sweep-planar-tension.toml"
 
@@ -102,6 +102,36 @@ class Rows(unittest.TestCase):
         self.assertEqual(caught.exception.code, "sweep::incomplete")
         with self.assertRaises(cdpr.Error):
             cdpr.sweep.Plan(self.plan.data.replace(b"planar", b"plenar"))
+
+
+class Questions(unittest.TestCase):
+    """Questions in parts: merged, they are the question's own answer."""
+
+    def test_questions_in_parts_answer_as_whole(self) -> None:
+        drawn = study({"tolerances": {"accuracy_m": 0.01, "robots": 40, "machine": {"frame_anchor_m": 0.001}}})
+        rounds = study({"campaign": {"free": "frame-anchor", "rounds": 2, "poses_per_round": 4}})
+        questions = [
+            (cdpr.benchmark, (), {"robots": ["planar-example", "cablerobot-simulator-helicopter"], "models": ["standard"]}, 2),
+            (cdpr.sensitivity, (drawn,), {"seed": 4}, 3),
+            (cdpr.campaign, (rounds,), {"repeats": 2}, 2),
+        ]
+        for question, arguments, options, parts in questions:
+            with self.subTest(question.__name__):
+                whole = question(*arguments, **options)
+                plan = cdpr.sweep.plan_of(question, *arguments, **options)
+                self.assertEqual(len(plan), parts)
+                self.assertIn(question.__name__, plan.question)
+                rows = [cdpr.sweep.row(plan.data, point) for point in reversed(range(parts))]
+                merged = cdpr.sweep.merge(pickle.loads(pickle.dumps(plan)), rows)
+                self.assertEqual(merged, whole)
+                for name, content in whole.attached.items():
+                    if not name.endswith(".html"):
+                        self.assertEqual(merged.attached[f"sweep/{name}"], content, name)
+
+    def test_questions_without_parts_are_refused(self) -> None:
+        with self.assertRaises(cdpr.Error) as caught:
+            cdpr.sweep.plan_of(cdpr.check, "planar-example")
+        self.assertEqual(caught.exception.code, "sweep::command")
 
 
 class OnDask(unittest.TestCase):

@@ -83,6 +83,22 @@ impl<'a> Output<'a> {
         }
     }
 
+    /// The word of `--format`.
+    pub(crate) fn format_word(&self) -> &'static str {
+        match self.format {
+            Format::Text => "text",
+            Format::Json => "json",
+        }
+    }
+
+    /// Passes on what another run wrote: its answer, and its remarks.
+    pub(crate) fn pass_on(&self, out: &[u8], err: &[u8]) -> Result<(), Failure> {
+        if !self.console.quiet {
+            self.complain(|_| String::from_utf8_lossy(err).into_owned());
+        }
+        self.write(&String::from_utf8_lossy(out))
+    }
+
     /// Names the robot that the command asks about, for answers without a key `robot`.
     pub(crate) fn about(&self, robot: &str) {
         *self.robot.borrow_mut() = Some(robot.to_owned());

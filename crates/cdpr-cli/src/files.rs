@@ -15,13 +15,14 @@ use crate::surroundings::SharedFiles;
 
 /// The bytes of a file, no more than its kind may have.
 pub(crate) fn read(path: &Path, size: Size) -> Result<Vec<u8>, Failure> {
-    if let Some(bytes) = in_memory(path) {
-        return Ok(bytes);
-    }
-    bytes_of(path, size).map_err(|error| match error {
+    let bytes = in_memory(path).map_or_else(|| bytes_of(path, size), Ok).map_err(|error| match error {
         FileError::Unreadable { path, source } => Failure::io("read", &path.display().to_string(), &source),
         FileError::Refused(error) => error.into(),
-    })
+    })?;
+    if let Some(notes) = session::notes() {
+        notes.lock().insert(path.to_owned(), bytes.clone());
+    }
+    Ok(bytes)
 }
 
 /// The bytes of a file that a run has in memory.
@@ -48,10 +49,8 @@ pub(crate) fn listed(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
 
 /// The bytes of a file that need not exist.
 pub(crate) fn read_if_there(path: &Path, size: Size) -> Result<Option<Vec<u8>>, Failure> {
-    if let Some(bytes) = in_memory(path) {
-        return Ok(Some(bytes));
-    }
     match fs::metadata(path) {
+        _ if in_memory(path).is_some() => read(path, size).map(Some),
         Err(error) if error.kind() == io::ErrorKind::NotFound => Ok(None),
         _ => read(path, size).map(Some),
     }

@@ -23,6 +23,7 @@ mod numbers;
 mod option_headings;
 mod options;
 mod pace;
+mod parts;
 mod progress;
 mod scenario_file;
 mod selecting;
@@ -123,7 +124,7 @@ pub fn run_in(
 ) -> ExitCode {
     let files = SharedFiles::new(std::mem::take(&mut host.files));
     let Host { observe, controller, .. } = host.clone();
-    let surroundings = Surroundings { files: Some(files.clone()), observe, controller };
+    let surroundings = Surroundings { files: Some(files.clone()), observe, controller, ..Surroundings::default() };
     // the caller's streams hold what was written; files are put in whole
     let exit = catch_unwind(AssertUnwindSafe(|| run_within(arguments, surroundings, out, err)));
     host.files = std::mem::take(&mut *files.lock());
@@ -134,7 +135,7 @@ pub fn run_in(
 }
 
 /// [`run`], within another program.
-fn run_within(
+pub(crate) fn run_within(
     arguments: impl IntoIterator<Item = OsString>,
     surroundings: Surroundings,
     out: &mut dyn Stream,

@@ -8,6 +8,7 @@ use cdpr_plant::Controller;
 
 use crate::console::Signs;
 use crate::options;
+use crate::parts::PartsWanted;
 use crate::surroundings::{Observer, SharedFiles, Surroundings};
 
 /// Words and wishes of a run.
@@ -43,6 +44,16 @@ pub(crate) fn files() -> Option<SharedFiles> {
 /// Taker of the run's progress, if there is one.
 pub(crate) fn observer() -> Option<Observer> {
     SESSION.with_borrow(|session| session.surroundings.observe.clone())
+}
+
+/// Work that is wanted of a command's parts.
+pub(crate) fn parts() -> PartsWanted {
+    SESSION.with_borrow(|session| session.surroundings.parts.clone())
+}
+
+/// Place to note the files that are read, where they are noted.
+pub(crate) fn notes() -> Option<SharedFiles> {
+    SESSION.with_borrow(|session| session.surroundings.read.clone())
 }
 
 /// Controller that the run's program brings, if it does.

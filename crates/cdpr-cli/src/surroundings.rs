@@ -8,6 +8,8 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use cdpr_plant::Controller;
 
+use crate::parts::PartsWanted;
+
 /// Files of a run in memory: it reads them before those of the disk, and writes here alone.
 pub type Files = BTreeMap<PathBuf, Vec<u8>>;
 
@@ -47,6 +49,10 @@ pub(crate) struct Surroundings {
     pub(crate) observe: Option<Observer>,
     /// Controller of a machine in time.
     pub(crate) controller: Option<Box<dyn Controller>>,
+    /// Work that is wanted of a command's parts.
+    pub(crate) parts: PartsWanted,
+    /// Files of the disk that the run has read, where they are noted.
+    pub(crate) read: Option<SharedFiles>,
 }
 
 impl Host {

@@ -1,4 +1,4 @@
-//! Points of planned sweeps, each computed by itself.
+//! Points of plans, each computed by itself.
 
 use cdpr_cli::PreparedPlan;
 use pyo3::prelude::*;
@@ -6,7 +6,7 @@ use pyo3::types::PyBytes;
 
 use crate::error::refused;
 
-/// A planned sweep, prepared to compute its points.
+/// A plan, prepared to compute its points.
 #[pyclass(frozen, module = "cdpr._cdpr")]
 pub(crate) struct PreparedSweep {
     plan: PreparedPlan,
@@ -26,9 +26,20 @@ impl PreparedSweep {
         self.plan.fingerprint()
     }
 
+    /// Values of the parameters, point by point; `None` for the parts of a command.
     #[getter]
-    fn points(&self) -> Vec<Vec<f64>> {
-        self.plan.points().to_vec()
+    fn points(&self) -> Option<Vec<Vec<f64>>> {
+        self.plan.points().map(<[_]>::to_vec)
+    }
+
+    /// Words of the command that is planned; `None` for a sweep.
+    #[getter]
+    fn command(&self) -> Option<Vec<String>> {
+        self.plan.command().map(<[_]>::to_vec)
+    }
+
+    fn __len__(&self) -> usize {
+        self.plan.count()
     }
 
     /// Name of the file of a point's row, in the folder `rows`; `None` if there is no such point.

@@ -10,43 +10,52 @@ mod rules;
 #[cfg(test)]
 mod tests;
 
+use std::borrow::Cow;
+
+use serde::{Deserialize, Serialize};
+
 use crate::Experiment;
+use crate::parts::{self, Parts, nullable};
 use cdpr_calibration::fit::{self, Prior, fit};
 use cdpr_model::control::CommandedPose;
 use cdpr_model::model::Composition;
 use cdpr_model::robot::{ParameterKind, Robot};
-use cdpr_model::scalar::map_all;
 use machine::Machine;
 use rules::BenchmarkError;
 pub use rules::BenchmarkRules;
 
 /// Errors over the poses, driven on the machine without sensor noise.
-#[derive(Clone, Copy, Debug, PartialEq)]
+#[derive(Clone, Copy, Debug, PartialEq, Serialize, Deserialize)]
 #[expect(non_snake_case, reason = "the fields are the keys of the answer, units included")]
 pub struct BenchmarkErrors {
     /// Mean position error ε_x (m; eq. 3.4).
+    #[serde(with = "nullable")]
     pub position_mean_m: f64,
     /// Largest position error (m; eq. 3.8).
+    #[serde(with = "nullable")]
     pub position_max_m: f64,
     /// Mean position error divided by the diagonal of the poses (eq. 3.5–3.7).
+    #[serde(with = "nullable")]
     pub position_relative: f64,
     /// Mean rotation error ε_Φ (rad); `None` if the platform does not turn.
     pub rotation_mean_rad: Option<f64>,
     /// Mean magnitude of length errors ε_q (m; eq. 6.6).
+    #[serde(with = "nullable")]
     pub length_mean_abs_m: f64,
     /// Mean over poses of the 2-norm of tension errors ε_f (N); `None` for control models that command no tensions.
     pub tension_mean_norm_N: Option<f64>,
     /// Fraction of the poses at which the machine comes to rest within its tension limits.
+    #[serde(with = "nullable")]
     pub reach_share: f64,
 }
 
 /// Result of one robot under one control model.
-#[derive(Clone, Debug, PartialEq)]
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
 pub struct BenchmarkRow {
     /// Name of the robot.
     pub robot: String,
     /// Motion pattern.
-    pub motion_pattern: &'static str,
+    pub motion_pattern: Cow<'static, str>,
     /// Number of cables m.
     pub cables: usize,
     /// Composition of the machine.
@@ -56,6 +65,7 @@ pub struct BenchmarkRow {
     /// Number of commanded poses.
     pub poses: usize,
     /// Diagonal d of the box of the poses (m).
+    #[serde(with = "nullable")]
     pub diagonal_m: f64,
     /// Errors with the numbers of the file.
     pub nominal: BenchmarkErrors,
@@ -80,15 +90,34 @@ pub struct Benchmark {
     pub left_out: Vec<(String, String)>,
 }
 
+/// Results of one robot: a part of a benchmark.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct BenchmarkPart {
+    rows: Vec<BenchmarkRow>,
+    /// Reason for which the robot cannot take part.
+    left_out: Option<String>,
+}
+
 /// Drives these robots, each by the control models that its file supports, restricted to `models` if given.
 pub fn benchmark(robots: &[Robot], models: Option<&[Composition]>, rules: &BenchmarkRules) -> Benchmark {
-    let found = map_all(robots.len(), |index| of_robot(&robots[index], models, rules));
+    benchmark_in_parts(robots, models, rules, &parts::here)
+}
+
+/// The same in parts, one for each robot.
+pub fn benchmark_in_parts(
+    robots: &[Robot],
+    models: Option<&[Composition]>,
+    rules: &BenchmarkRules,
+    parts: &Parts<'_, BenchmarkPart>,
+) -> Benchmark {
+    let found = parts(robots.len(), &|index| match of_robot(&robots[index], models, rules) {
+        Ok(rows) => BenchmarkPart { rows, left_out: None },
+        Err(reason) => BenchmarkPart { rows: Vec::new(), left_out: Some(reason.to_string()) },
+    });
     let mut benchmark = Benchmark { rules: *rules, rows: Vec::new(), left_out: Vec::new() };
     for (robot, found) in robots.iter().zip(found) {
-        match found {
-            Ok(rows) => benchmark.rows.extend(rows),
-            Err(reason) => benchmark.left_out.push((robot.name.clone(), reason.to_string())),
-        }
+        benchmark.rows.extend(found.rows);
+        benchmark.left_out.extend(found.left_out.map(|reason| (robot.name.clone(), reason)));
     }
     benchmark
 }
@@ -119,7 +148,7 @@ fn row(
     };
     Ok(BenchmarkRow {
         robot: robot.name.clone(),
-        motion_pattern: robot.motion_pattern.name(),
+        motion_pattern: robot.motion_pattern.name().into(),
         cables: robot.cable_count(),
         machine: experiment.machine.composition().to_string(),
         model: control.to_string(),

@@ -1,8 +1,11 @@
 //! Campaigns: poses are planned, measured, used for identification and planned again (sec. 4.1, 6.2), so that a better
 //! model reaches more informative poses.
 
+mod repetitions;
 #[cfg(test)]
 mod tests;
+
+pub use repetitions::{RepeatedRound, Repetition};
 
 use thiserror::Error;
 

@@ -16,6 +16,7 @@ pub mod field;
 pub mod force_tracking;
 mod identification;
 mod objective_comparison;
+pub mod parts;
 mod poorer;
 mod prediction;
 pub mod reachable;

@@ -1330,6 +1330,7 @@ class Campaign(Result):
         ("out", "out", True),
         ("program", "program", True),
         ("reason", "reason", True),
+        ("repeats", "repeats", False),
         ("robot", "robot", False),
         ("rounds", "rounds", True),
         ("seed", "seed", True),
@@ -1382,6 +1383,11 @@ class Campaign(Result):
     def reason(self) -> str:
         """Reason of the outcome in words; `None` where it needs none."""
         return self._get("reason")
+
+    @property
+    def repeats(self) -> tuple[RepeatedCampaign, ...] | None:
+        """The campaign with other seeds, where it was repeated."""
+        return self._find("repeats", RepeatedCampaign)
 
     @property
     def robot(self) -> str | None:
@@ -8444,6 +8450,70 @@ class Reduction(Result):
     def standard_error(self) -> float | None:
         """Standard error of the first (m)."""
         return self._get("standard_error_m")
+
+
+class RepeatedCampaign(Result):
+    """The campaign with another seed."""
+
+    __slots__ = ()
+    _KEYS: ClassVar[tuple[tuple[str, str, bool], ...]] = (
+        ("reason", "reason", True),
+        ("rounds", "rounds", True),
+        ("seed", "seed", True),
+        ("status", "status", True),
+    )
+
+    @property
+    def reason(self) -> str | None:
+        """Reason for which it could not be run."""
+        return self._get("reason")
+
+    @property
+    def rounds(self) -> tuple[RepeatedRound, ...]:
+        """Rounds, in order."""
+        return self._get("rounds", RepeatedRound)
+
+    @property
+    def seed(self) -> int:
+        """Seed of the exchanges and of the noise."""
+        return self._get("seed")
+
+    @property
+    def status(self) -> str:
+        """Word for its end; `failed` where it could not be run."""
+        return self._get("status")
+
+
+class RepeatedRound(Result):
+    """A round with another seed."""
+
+    __slots__ = ()
+    _KEYS: ClassVar[tuple[tuple[str, str, bool], ...]] = (
+        ("driven_position_mean", "driven_position_mean_m", True),
+        ("poses", "poses", True),
+        ("reach_share", "reach_share", True),
+        ("validation_position_mean", "validation_position_mean_m", True),
+    )
+
+    @property
+    def driven_position_mean(self) -> float | None:
+        """Mean position error of the driven machine (m)."""
+        return self._get("driven_position_mean_m")
+
+    @property
+    def poses(self) -> int:
+        """Samples measured so far."""
+        return self._get("poses")
+
+    @property
+    def reach_share(self) -> float | None:
+        """Fraction of the study's poses that the identified controller reaches."""
+        return self._get("reach_share")
+
+    @property
+    def validation_position_mean(self) -> float | None:
+        """Mean position error on held-out samples (m); `None` with too few samples."""
+        return self._get("validation_position_mean_m")
 
 
 class RequirementOutcome(Result):

@@ -5,7 +5,8 @@ from __future__ import annotations
 import json
 import os
 import sys
-from collections.abc import Iterable, Mapping, Sequence
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from contextvars import ContextVar
 from typing import TYPE_CHECKING, Any, Protocol, TypeVar, overload, runtime_checkable
 
 from . import _cdpr
@@ -33,6 +34,7 @@ class Call:
     def __init__(self, command: str) -> None:
         self.words: list[str] = command.split()
         self.options: list[str] = []
+        self.behind: list[str] = []
         self.files: dict[str, bytes] = {}
 
     def file(self, name: str, content: bytes) -> str:
@@ -82,7 +84,7 @@ class Call:
 
     def line(self) -> list[str]:
         """Returns the words of the command line after the name of the program."""
-        return [*self.words, *self.options]
+        return [*self.words, *self.options, *self.behind]
 
 
 @overload
@@ -97,6 +99,7 @@ def ask(
     progress: Progress = None,
     threads: int | None = None,
     controller: Any = None,
+    behind: Call | None = None,
 ) -> R: ...
 
 
@@ -112,6 +115,7 @@ def ask(
     progress: Progress = None,
     threads: int | None = None,
     controller: Any = None,
+    behind: Call | None = None,
 ) -> R | S: ...
 
 
@@ -126,11 +130,12 @@ def ask(
     progress: Progress = None,
     threads: int | None = None,
     controller: Any = None,
+    behind: Call | None = None,
 ) -> Any:
     """Returns the answer of a command: a ``result``, or that of several which fits it best.
 
     ``outputs`` are options whose files are kept in memory and go with the result. A wrong argument or file raises
-    :class:`cdpr.Error`; an answer that is a no is a result, whose status says so.
+    :class:`cdpr.Error`. ``behind``: a call whose words stand behind two dashes; an answer that is a no is a result, whose status says so.
     """
     call = Call(command)
     words = [call.word(value) for value in positionals if value is not None]
@@ -140,10 +145,15 @@ def ask(
         call.add(name, value or None)
     # options that a value brings stand before those that are asked for here; a word that begins with a minus sign is none
     call.words += words
+    if behind is not None:
+        call.files.update(behind.files)
+        call.behind = ["--", *behind.line()]
+    planning = PLANNING.get()
+    if planning is not None:
+        planning(call)
     given = dict(call.files)
-    asked = [*call.line(), "--format=json", "--quiet"]
-    if threads is not None:
-        asked.append(f"--threads={threads}")
+    wishes = ["--format=json", "--quiet", *([] if threads is None else [f"--threads={threads}"])]
+    asked = [*call.words, *call.options, *wishes, *call.behind]
     observe, close = observer(progress)
     try:
         exit_code, out, err, files = _cdpr.ask(asked, given, observe, controller)
@@ -162,6 +172,10 @@ def ask(
     made = {name: content for name, content in files.items() if given.get(name) != content}
     cls = result[0]._class_for(result, answer) if isinstance(result, tuple) else result
     return cls._of(answer, made, tuple(call.line()), given)
+
+
+PLANNING: ContextVar[Callable[[Call], None] | None] = ContextVar("PLANNING", default=None)
+"""Takes the call of a question instead of asking it, while a plan is made of it."""
 
 
 def observer(progress: Progress) -> tuple[Any, Any]:

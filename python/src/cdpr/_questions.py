@@ -1703,6 +1703,7 @@ def campaign(
     study: Study | Path,
     *,
     seed: int | None = None,
+    repeats: int | None = None,
     progress: Progress = None,
     threads: int | None = None,
 ) -> results.Campaign:
@@ -1717,6 +1718,8 @@ def campaign(
     Args:
         study: Study, or the path of a study file.
         seed: Seed of random poses, exchanges and noise.
+        repeats: Run the campaign on the study's machine with so many other seeds besides: tells how much of
+            its outcome is luck.
         progress: True for a line on stderr, or a function `(name, done, parts)`.
         threads: Threads to calculate with, at most; the result is the same for any number.
     """
@@ -1726,6 +1729,7 @@ def campaign(
         [study],
         {
             "seed": seed,
+            "repeats": repeats,
         },
         outputs={
             "out": "result",

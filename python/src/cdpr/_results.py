@@ -299,3 +299,9 @@ class Modes(_answers.Modes):
 
     __slots__ = ()
     _TABLE = "modes"
+
+
+def of_command(command: str) -> type[Result] | tuple[type[Result], ...]:
+    """Returns the class of a command's result, or its classes."""
+    classes = tuple(globals().get(cls.__name__, cls) for cls in _answers.ANSWERS[command])
+    return classes[0] if len(classes) == 1 else classes

@@ -1,8 +1,10 @@
-"""Sweeps in three steps, for any scheduler: a plan, a row for each point, and the rows merged.
+"""Sweeps, benchmarks, drawn robots and repeated campaigns in three steps, for any scheduler: a plan, a row for each point, and the rows merged.
 
 >>> plan = cdpr.sweep.plan("sweep.toml")  # doctest: +SKIP
 >>> rows = [cdpr.sweep.row(plan.data, point) for point in range(len(plan))]  # doctest: +SKIP
 >>> result = cdpr.sweep.merge(plan, rows)  # doctest: +SKIP
+
+>>> plan = cdpr.sweep.plan_of(cdpr.benchmark, seed=3)  # a part for each robot  # doctest: +SKIP
 
 A row is a function of the plan's bytes and a number: it may be computed anywhere, by any process, any number of times, in any order, and
 is the same bytes. :mod:`cdpr.dask` hands rows out to a cluster.
@@ -11,25 +13,27 @@ is the same bytes. :mod:`cdpr.dask` hands rows out to a cluster.
 from __future__ import annotations
 
 import os
+import shlex
 from collections.abc import Callable, Iterable, Mapping
 from concurrent.futures import ThreadPoolExecutor
 from functools import lru_cache
 from pathlib import Path as FilePath
-from typing import TypeAlias
+from typing import Any, TypeAlias
 
 import numpy as np
 
 from . import _cdpr
 from . import _results as results
 from ._arrays import Array, Path, Progress
-from ._ask import Call, ask, observer
+from ._ask import PLANNING, Call, ask, observer
 from ._documents import Sweep
 from ._errors import Error
+from ._result import Result
 from ._robot import save
 
-Merged: TypeAlias = "results.SweepResult | results.CalibrationCosts"
+Merged: TypeAlias = "results.SweepResult | results.CalibrationCosts | results.Benchmark | results.Sensitivity | results.Campaign"
 
-__all__ = ["Plan", "merge", "plan", "row", "run"]
+__all__ = ["Plan", "merge", "plan", "plan_of", "row", "run"]
 
 
 class Plan:
@@ -60,8 +64,15 @@ class Plan:
 
     @property
     def points(self) -> Array:
-        """Values of the parameters (P, k), point by point, in the units of the sweep file."""
-        return np.array(self._prepared.points)
+        """Values of the parameters (P, k), point by point, in the units of the sweep file; (P, 0) for the parts of a question."""
+        points = self._prepared.points
+        return np.empty((len(self), 0)) if points is None else np.array(points)
+
+    @property
+    def question(self) -> str | None:
+        """The command whose parts are planned, as a shell takes it; ``None`` for a sweep."""
+        command = self._prepared.command
+        return None if command is None else shlex.join(["cdpr", *command])
 
     def row_name(self, point: int) -> str:
         """Returns the name of the file of a point's row, in the folder ``rows`` beside the plan."""
@@ -76,7 +87,7 @@ class Plan:
         save(FilePath(folder) / "plan.json", self.data)
 
     def __len__(self) -> int:
-        return len(self._prepared.points)
+        return len(self._prepared)
 
     def __eq__(self, other: object) -> bool:
         return isinstance(other, Plan) and self.data == other.data
@@ -107,6 +118,34 @@ def plan(sweep: Sweep | Path) -> Plan:
     return Plan(result.attached["sweep/plan.json"])
 
 
+def plan_of(question: Callable[..., Result], /, *arguments: Any, **options: Any) -> Plan:
+    """Returns the plan of a question whose work has parts: ``plan_of(cdpr.benchmark, robots=[…])`` is what ``cdpr.benchmark(robots=[…])`` would
+    compute.
+
+    :func:`cdpr.benchmark` has a part for each robot, :func:`cdpr.sensitivity` of a study with ``[tolerances]`` for sixteen drawn robots,
+    :func:`cdpr.campaign` with ``repeats`` for each repetition. The merged result is the question's own.
+    """
+
+    class _Planned(BaseException):
+        pass
+
+    calls: list[Call] = []
+
+    def take(call: Call) -> None:
+        calls.append(call)
+        raise _Planned
+
+    token = PLANNING.set(take)
+    try:
+        question(*arguments, **options)
+    except _Planned:
+        pass
+    finally:
+        PLANNING.reset(token)
+    result = ask(results.SweepProgress, "sweep plan", [], {}, outputs={"out": "sweep"}, behind=calls[0])
+    return Plan(result.attached["sweep/plan.json"])
+
+
 def row(plan: bytes, point: int) -> bytes:
     """Returns the row of a point of a plan, as the content of its file.
 
@@ -116,7 +155,7 @@ def row(plan: bytes, point: int) -> bytes:
     prepared = _prepared(plan)
     found = prepared.row(point) if point >= 0 else None
     if found is None:
-        raise _no_point(point, len(prepared.points))
+        raise _no_point(point, len(prepared))
     return found
 
 
@@ -133,7 +172,10 @@ def merge(plan: Plan, rows: Iterable[bytes] | Mapping[int, bytes] | None = None,
         files.update({f"sweep/rows/{plan.row_name(point)}": own for point, own in rows.items()})
     elif rows is not None:
         files.update({f"sweep/rows/{plan.row_name(point_of(own))}": own for own in rows})
-    return ask((results.SweepResult, results.CalibrationCosts), "sweep merge", [_Files(files)], {})
+    command = plan._prepared.command
+    classes: Any = (results.SweepResult, results.CalibrationCosts) if command is None else results.of_command(command[0])
+    merged: Merged = ask(classes, "sweep merge", [_Files(files)], {})
+    return merged
 
 
 def point_of(row: bytes) -> int:

@@ -5,13 +5,14 @@ use std::process::ExitCode;
 
 use cdpr_model::model::Composition;
 use cdpr_model::robot::{Robot, builtin};
-use cdpr_study::benchmark::{BenchmarkRules, benchmark};
+use cdpr_study::benchmark::{BenchmarkRules, benchmark_in_parts};
 use clap::Args;
 
 use crate::answer::Output;
 use crate::failure::Failure;
 use crate::files;
 use crate::inputs::read_robot;
+use crate::parts::computed;
 use crate::progress::Progress;
 use cdpr_reports::answers::BenchmarkAnswer;
 
@@ -53,7 +54,8 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     };
     let models = Some(&arguments.models[..]).filter(|models| !models.is_empty());
     let progress = Progress::spinner("driving robots");
-    let found = benchmark(&robots, models, &BenchmarkRules { seed: arguments.seed, ..BenchmarkRules::default() });
+    let rules = BenchmarkRules { seed: arguments.seed, ..BenchmarkRules::default() };
+    let found = benchmark_in_parts(&robots, models, &rules, &computed);
     drop(progress);
     let Some(out) = &arguments.out else { return output.answer(&BenchmarkAnswer::new(&robots, found, Vec::new())) };
     let _own = files::OwnFolder::make(out)?;

@@ -3,9 +3,10 @@
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
+use cdpr_model::control::CommandedPose;
 use cdpr_model::measurement::{Samples, SensorSigmas};
 use cdpr_model::reading::Size;
-use cdpr_study::campaign::{CampaignError, Order};
+use cdpr_study::campaign::{CampaignError, Order, Repetition};
 use cdpr_study::study::CampaignRecord;
 use clap::Args;
 
@@ -14,6 +15,7 @@ use crate::failure::Failure;
 use crate::files::{self, OwnFolder};
 use crate::interruption;
 use crate::measurements::read_measured;
+use crate::parts::computed;
 use crate::progress::Progress;
 use crate::study_file::StudyFile;
 use cdpr_reports::answers::{CampaignAnswer, simulated_by};
@@ -21,7 +23,8 @@ use cdpr_reports::answers::{CampaignAnswer, simulated_by};
 const EXAMPLES: &str = "\
 Examples:
   cdpr campaign studies/twin-campaign.toml --out campaign
-  cdpr campaign study.toml --out campaign --format json";
+  cdpr campaign study.toml --out campaign --format json
+  cdpr campaign study.toml --out campaign --repeats 20";
 
 /// File in the folder of a round with the poses to command.
 const POSES: &str = "poses.csv";
@@ -49,6 +52,10 @@ pub(crate) struct Arguments {
     /// Seed of random poses, exchanges and noise.
     #[arg(long, value_name = "SEED", default_value_t = 0)]
     seed: u64,
+
+    /// Run the campaign on the study's machine with so many other seeds besides: tells how much of its outcome is luck.
+    #[arg(long, value_name = "N", default_value_t = 0)]
+    repeats: u16,
 }
 
 pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode, Failure> {
@@ -61,6 +68,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         true => study.commands(arguments.seed)?,
         false => study.poses(arguments.seed)?,
     };
+    let repeats = arguments.repetitions(&study, &poses, is_virtual)?;
     let _own = OwnFolder::make(&arguments.out)?;
     check_same_study(&arguments)?;
     let progress = Progress::spinner("planning round 1");
@@ -88,7 +96,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     drop(progress);
     let calibrated = campaign.model.robot().to_toml();
     let folder = arguments.out.display().to_string();
-    let answer = CampaignAnswer::new(&study, campaign, poses.len(), &folder, arguments.seed);
+    let answer = CampaignAnswer::new(&study, campaign, poses.len(), &folder, arguments.seed).repeated(repeats);
     let page = answer.page(&crate::session::command_line(), env!("CARGO_PKG_VERSION"));
     let page = page.map_err(|error| Failure::unwritable("the page of the campaign", &error))?;
     let result = output.file(&answer, "result.json")?;
@@ -99,6 +107,30 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
         (&at("result.json"), result.as_bytes()),
     ])?;
     output.answer(&answer)
+}
+
+impl Arguments {
+    /// The campaign with other seeds, as often as is asked for.
+    fn repetitions(
+        &self,
+        study: &StudyFile,
+        poses: &[CommandedPose],
+        is_virtual: bool,
+    ) -> Result<Vec<Repetition>, Failure> {
+        if self.repeats == 0 {
+            return Ok(Vec::new());
+        }
+        if !is_virtual {
+            let message = "--repeats: the records of this campaign come from files, and there is one of each round";
+            return Err(Failure::input(
+                "campaign::repeats",
+                message,
+                "leave --repeats out, or let the study's machine record",
+            ));
+        }
+        let _progress = Progress::spinner("repeating the campaign");
+        Ok(study.repeated_campaigns(poses, self.seed, usize::from(self.repeats), &computed))
+    }
 }
 
 /// Refuses a folder with the rounds of another study, whose records would be taken for this one's.

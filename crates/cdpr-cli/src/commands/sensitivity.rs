@@ -14,6 +14,7 @@ use crate::failure::Failure;
 use crate::files;
 use crate::keyword::keyword;
 use crate::numbers::positive_length;
+use crate::parts::computed;
 use crate::progress::Progress;
 use crate::sensitivities;
 use crate::study_file::StudyFile;
@@ -99,7 +100,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     };
     let progress = Progress::spinner("drawing robots");
     let poses = study_file.poses(arguments.seed)?;
-    let found = study_file.accepted(study_file.deviations(poses, &tolerances, &settings))?;
+    let found = study_file.accepted(study_file.deviations_in_parts(poses, &tolerances, &settings, &computed))?;
     drop(progress);
     found.without_effect(&tolerances).iter().for_each(|remark| output.remark(remark));
     let maps = arguments.csv.as_ref().map(|path| (path, tables::derivatives(&found, &study_file)));

@@ -1,19 +1,23 @@
 //! `cdpr sweep`: reachable workspaces over parameters, or what accuracy costs, in parts that several machines can compute.
 
-mod folder;
+mod command_plan;
 mod merged;
+mod planned;
 mod prepared;
+mod sweep_plan;
 
 use std::collections::BTreeSet;
 use std::path::{Path, PathBuf};
 use std::process::ExitCode;
 
 use cdpr_model::reading::Size;
-use cdpr_study::sweep::{PreparedSweep, Subjects, Sweep, check};
+use cdpr_study::sweep::{Subjects, Sweep, check};
 use clap::{Args, Subcommand};
-use folder::{Plan, RowFile};
+use command_plan::CommandPlan;
 use merged::merge;
+use planned::{Planned, RowFile};
 pub use prepared::{PlanRefused, PreparedPlan};
+use sweep_plan::SweepPlan;
 
 use crate::answer::Output;
 use crate::failure::Failure;
@@ -34,7 +38,8 @@ Examples:
   cdpr sweep run stiffness
   cdpr sweep run stiffness --shard 1/2
   cdpr sweep run stiffness --points 3,7,11
-  cdpr sweep merge stiffness";
+  cdpr sweep merge stiffness
+  cdpr sweep plan --out benchmark -- benchmark --seed 3";
 
 /// How the reachable workspace changes with parameters of control model, machine and study; or what accuracy costs.
 ///
@@ -61,14 +66,18 @@ enum StepOfSweep {
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
     },
-    /// Write the plan of a sweep into a folder.
+    /// Write the plan of a sweep into a folder, or of a command whose work has parts.
     Plan {
         /// Sweep file (TOML): the study, the parameters and their values; `cdpr schema sweep` describes it.
-        #[arg(value_name = "SWEEP")]
-        sweep: PathBuf,
+        #[arg(value_name = "SWEEP", required_unless_present = "command", conflicts_with = "command")]
+        sweep: Option<PathBuf>,
         /// Folder for plan, rows and result.
         #[arg(long, value_name = "DIR")]
         out: PathBuf,
+        /// Instead of a sweep: a command with its options, behind two dashes. `benchmark` has a part for each robot, `sensitivity` for sixteen drawn
+        /// robots, `campaign --repeats` for each repetition.
+        #[arg(last = true, value_name = "COMMAND")]
+        command: Vec<String>,
     },
     /// Compute the points of a planned sweep that are not there yet.
     Run {
@@ -144,23 +153,27 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     match arguments.step {
         StepOfSweep::All { sweep, out } => {
             plan(&sweep, &out, output)?;
-            let plan = Plan::read(&out)?;
-            compute(&out, &plan, &Part::Shard(Shard { number: 1, count: 1 }))?;
-            merge(&out, &plan, output)
+            compute(&out, Planned::read(&out)?, &Part::Shard(Shard { number: 1, count: 1 }))?;
+            merge(&out, &Planned::read(&out)?, output)
         }
-        StepOfSweep::Plan { sweep, out } => {
+        StepOfSweep::Plan { sweep: Some(sweep), out, .. } => {
             let planned = plan(&sweep, &out, output)?;
             output.answer(&planned)
         }
+        StepOfSweep::Plan { sweep: None, out, command } => {
+            let plan = Planned::Command(CommandPlan::new(command)?);
+            plan.write(&out)?;
+            output.answer(&SweepProgress::planned(out.display().to_string(), plan.row_names()))
+        }
         StepOfSweep::Run { folder, shard, points } => {
             let part = points.map_or(Part::Shard(shard), Part::Points);
-            let plan = Plan::read(&folder)?;
-            plan.introduce(output)?;
-            output.answer(&compute(&folder, &plan, &part)?)
+            let plan = Planned::read(&folder)?;
+            introduce(&plan, output)?;
+            output.answer(&compute(&folder, plan, &part)?)
         }
         StepOfSweep::Merge { folder } => {
-            let plan = Plan::read(&folder)?;
-            plan.introduce(output)?;
+            let plan = Planned::read(&folder)?;
+            introduce(&plan, output)?;
             merge(&folder, &plan, output)
         }
     }
@@ -182,25 +195,33 @@ fn plan(path: &Path, out: &Path, output: &mut Output) -> Result<SweepProgress, F
         offset_robot: study.initial.offset_robot.as_deref().map(robot).transpose()?,
     };
     check(&sweep, &subjects).map_err(|error| Failure::refused(&name, &error))?;
-    let plan = Plan::new(sweep, subjects);
+    let plan = SweepPlan::new(sweep, subjects);
     plan.introduce(output)?;
+    let plan = Planned::Sweep(Box::new(plan));
     plan.write(out)?;
     Ok(SweepProgress::planned(out.display().to_string(), plan.row_names()))
 }
 
-fn compute(folder: &Path, plan: &Plan, part: &Part) -> Result<SweepProgress, Failure> {
-    let mine = part.points(plan.points.len())?;
-    let prepared = PreparedSweep::new(&plan.sweep, &plan.subjects);
-    let prepared = prepared.map_err(|error| Failure::refused(&folder.display().to_string(), &error))?;
+/// Tells which robot a sweep is about, and the remarks on its study.
+fn introduce(plan: &Planned, output: &Output) -> Result<(), Failure> {
+    match plan {
+        Planned::Sweep(sweep) => sweep.introduce(output),
+        Planned::Command(_) => Ok(()),
+    }
+}
+
+fn compute(folder: &Path, plan: Planned, part: &Part) -> Result<SweepProgress, Failure> {
+    let mine = part.points(plan.count())?;
     let name = quoted(&folder.display().to_string());
     let next = format!("`cdpr sweep run {name}{}`", part.option());
     let (mut missing, mut computed) = (Vec::new(), 0);
     for &point in &mine {
-        if RowFile::read(folder, plan, point)?.is_none() {
+        if RowFile::read(folder, &plan, point)?.is_none() {
             missing.push(point);
         }
     }
     let already_there = mine.len() - missing.len();
+    let (names, prepared) = (plan.row_names(), PreparedPlan::of(plan)?);
     // points that are there cost nothing and tell nothing of the others
     let progress = Progress::of(missing.len(), "sweeping");
     for point in missing {
@@ -210,7 +231,7 @@ fn compute(folder: &Path, plan: &Plan, part: &Part) -> Result<SweepProgress, Fai
             mine.len(),
             folder.display()
         ));
-        RowFile::write(folder, plan, plan.row(&prepared, point))?;
+        RowFile::write(folder, &names[point], &prepared.row_bytes(point)?)?;
         computed += 1;
         progress.step();
     }

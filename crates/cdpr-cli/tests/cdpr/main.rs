@@ -37,6 +37,7 @@ mod mistaken_inputs;
 mod newcomer;
 mod objectives;
 mod other_kinds;
+mod parted_commands;
 mod partial_poses;
 mod penalties;
 mod planning;

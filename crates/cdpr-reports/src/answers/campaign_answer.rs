@@ -3,7 +3,7 @@
 use cdpr_calibration::fit::Status;
 use cdpr_study::Experiment;
 use cdpr_study::accuracy::Accuracy;
-use cdpr_study::campaign::{Campaign, CampaignStatus, Round};
+use cdpr_study::campaign::{self as study, Campaign, CampaignStatus, Repetition, Round};
 use minijinja::{Value, context};
 use schemars::JsonSchema;
 use serde::Serialize;
@@ -36,10 +36,53 @@ pub struct CampaignAnswer {
     /// Rounds so far.
     #[serde(with = "Each::<RoundKeys>")]
     rounds: Vec<Round>,
+    /// The campaign with other seeds, where it was repeated.
+    #[serde(skip_serializing_if = "Vec::is_empty")]
+    repeats: Vec<Repeated>,
     /// Poses that the campaign waits for.
     waits_for: usize,
     out: String,
     warnings: Vec<String>,
+}
+
+/// The campaign with another seed.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "RepeatedCampaign")]
+struct Repeated {
+    /// Seed of the exchanges and of the noise.
+    seed: u64,
+    /// Word for its end; `failed` where it could not be run.
+    status: String,
+    /// Reason for which it could not be run.
+    reason: Option<String>,
+    /// Rounds, in order.
+    rounds: Vec<RepeatedRound>,
+}
+
+/// A round with another seed.
+#[derive(Serialize, JsonSchema)]
+#[schemars(rename = "RepeatedRound")]
+struct RepeatedRound {
+    /// Samples measured so far.
+    poses: usize,
+    /// Mean position error on held-out samples (m); null with too few samples.
+    validation_position_mean_m: Option<f64>,
+    /// Mean position error of the driven machine (m).
+    driven_position_mean_m: Option<f64>,
+    /// Fraction of the study's poses that the identified controller reaches.
+    reach_share: Option<f64>,
+}
+
+impl From<Repetition> for Repeated {
+    fn from(own: Repetition) -> Self {
+        let round = |round: &study::RepeatedRound| RepeatedRound {
+            poses: round.poses,
+            validation_position_mean_m: round.validation_position_mean_m,
+            driven_position_mean_m: round.driven_position_mean_m,
+            reach_share: Some(round.reach_share),
+        };
+        Self { seed: own.seed, status: own.status, reason: own.reason, rounds: own.rounds.iter().map(round).collect() }
+    }
 }
 
 /// The controller before the first round.
@@ -66,12 +109,38 @@ impl CampaignAnswer {
             candidates,
             nominal: Nominal { driven: campaign.driven_at_first, reach_share: campaign.reach_at_first },
             waits_for: campaign.waits_for.len(),
+            repeats: Vec::new(),
             warnings: warnings(&campaign.rounds),
             rounds: campaign.rounds,
             out: out.to_owned(),
         };
         answer.reason = answer.why();
         answer
+    }
+
+    /// The answer beside the same campaign with other seeds.
+    #[must_use]
+    pub fn repeated(mut self, repetitions: Vec<Repetition>) -> Self {
+        let failed = repetitions.iter().filter_map(|own| Some(format!("seed {}: {}", own.seed, own.reason.as_ref()?)));
+        self.warnings.extend(failed);
+        self.repeats = repetitions.into_iter().map(Repeated::from).collect();
+        self
+    }
+
+    /// A sentence on the campaign with other seeds; empty where it was not repeated.
+    fn repeats_in_words(&self) -> String {
+        let last = |own: &Repeated| own.rounds.last().and_then(|round| round.driven_position_mean_m);
+        let mut errors: Vec<f64> = self.repeats.iter().filter_map(last).filter(|error| error.is_finite()).collect();
+        errors.sort_unstable_by(f64::total_cmp);
+        let (Some(least), Some(largest)) = (errors.first(), errors.last()) else { return String::new() };
+        let mm = |error: f64| significant(1e3 * error, 3);
+        format!(
+            "\nwith {} other seeds the mean driven error after the last round is {} to {} mm, in half of them at most {} mm\n",
+            errors.len(),
+            mm(*least),
+            mm(*largest),
+            mm(errors[(errors.len() - 1) / 2])
+        )
     }
 
     fn measured(&self) -> usize {
@@ -242,13 +311,14 @@ impl Answer for CampaignAnswer {
         table.rows(self.rows());
         let warnings: String = self.warnings.iter().map(|warning| format!("caution: {warning}\n")).collect();
         format!(
-            "{} on {}, {} poses to choose among\n{warnings}{}\n\nmean position errors; predicted: of the round before on the new samples; held out: by parts in turn\n\n{}\nrounds, \
+            "{} on {}, {} poses to choose among\n{warnings}{}\n\nmean position errors; predicted: of the round before on the new samples; held out: by parts in turn\n\n{}{}\nrounds, \
              calibrated.toml, result.json and report.html in {}\n",
             self.control,
             self.machine,
             self.candidates,
             self.reason,
             table.text(width),
+            self.repeats_in_words(),
             self.out
         )
     }

@@ -1,7 +1,9 @@
 //! Deviations of an experiment: derivatives, spread, drawn robots, and the tolerances that an accuracy allows.
 
-use super::{Allowed, Engine, MonteCarlo, Settings, Spread, allowed, monte_carlo, sigmas};
+use super::monte_carlo::Draw;
+use super::{Allowed, DrawnPart, Engine, MonteCarlo, Settings, Spread, allowed, sigmas};
 use crate::experiment::Experiment;
+use crate::parts::{self, Parts};
 use crate::sensitivity::{Differentiation, Kind, Kink, Offsets, ParameterDeviation, PoseSensitivity, Side, counted_as};
 use crate::study::{AccuracyOf, Tolerances};
 use cdpr_model::control::CommandedPose;
@@ -52,6 +54,17 @@ impl Experiment {
         tolerances: &Tolerances,
         settings: &DeviationSettings,
     ) -> Result<Deviations, InputError> {
+        self.deviations_in_parts(commanded, tolerances, settings, &parts::here)
+    }
+
+    /// The same with robots drawn in parts.
+    pub fn deviations_in_parts(
+        &self,
+        commanded: Vec<CommandedPose>,
+        tolerances: &Tolerances,
+        settings: &DeviationSettings,
+        parts: &Parts<'_, DrawnPart>,
+    ) -> Result<Deviations, InputError> {
         if commanded.is_empty() {
             return Err(InputError::NoPoses);
         }
@@ -66,7 +79,7 @@ impl Experiment {
         if is_given {
             let spread = Spread::of(&found.poses, &found.errors, &sigmas, tolerances.reach(), translations);
             found.spread = Some(spread);
-            found.drawn = self.drawn(&found, &sigmas, tolerances, settings)?;
+            found.drawn = self.drawn(&found, &sigmas, tolerances, settings, parts)?;
         }
         found.allowed = settings.accuracy.map(|accuracy| {
             let named = |side: Side, kind: Kind| {
@@ -92,6 +105,7 @@ impl Experiment {
         sigmas: &[f64],
         tolerances: &Tolerances,
         asked: &DeviationSettings,
+        parts: &Parts<'_, DrawnPart>,
     ) -> Result<Option<MonteCarlo>, InputError> {
         if asked.robots == 0 {
             return Ok(None);
@@ -106,8 +120,15 @@ impl Experiment {
             history: self.history(),
         };
         let (control, setting) = (self.controller()?, self.setting(asked.offsets));
-        monte_carlo(control, &self.machine, &setting, &self.offsets, &found.commanded, &found.poses, &settings)
-            .map(Some)
+        let draw = Draw {
+            control: &control,
+            machine: &self.machine,
+            setting: &setting,
+            offsets: &self.offsets,
+            poses: &found.commanded,
+            nominal: &found.poses,
+        };
+        draw.in_parts(&settings, parts).map(Some)
     }
 }
 

@@ -12,7 +12,7 @@ mod robots;
 
 pub use allowed::{Allowance, Allowed, allowed};
 pub use deviations::{DeviationSettings, Deviations};
-pub use monte_carlo::{Engine, MonteCarlo, Quantiles, Settings, monte_carlo};
+pub use monte_carlo::{DrawnPart, Engine, MonteCarlo, Quantiles, Settings, monte_carlo};
 
 use super::sensitivity::{ParameterDeviation, PoseSensitivity};
 

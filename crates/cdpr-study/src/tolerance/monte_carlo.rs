@@ -2,6 +2,7 @@
 
 use super::batch::{Batch, Room};
 use super::robots::{Made, Makers, draw};
+use crate::parts::{self, Parts};
 use crate::sensitivity::{ParameterDeviation, PoseSensitivity, Setting, Side};
 use crate::study::Distribution;
 use cdpr_model::control::Control;
@@ -14,6 +15,7 @@ use cdpr_model::geometry::{Pose, Twist};
 use cdpr_model::model::Model;
 use cdpr_model::reading::keywords;
 use cdpr_model::tension::Method;
+use serde::{Deserialize, Serialize};
 
 /// Most answers kept in memory.
 const ANSWER_LIMIT: usize = 50_000_000;
@@ -96,6 +98,22 @@ pub struct MonteCarlo {
 /// Error, rotation error and deviation at one pose; NaN without an answer.
 type Answer = [f64; 3];
 
+/// Robots of a part of a draw.
+const ROBOTS_OF_PART: usize = 16;
+
+/// Answers of some of the drawn robots: a part of a draw.
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+pub struct DrawnPart {
+    robots: Vec<DrawnRobot>,
+}
+
+#[derive(Clone, Debug, PartialEq, Serialize, Deserialize)]
+struct DrawnRobot {
+    /// Answer at every pose; null without one.
+    answers: Vec<[Option<f64>; 3]>,
+    reason: Option<String>,
+}
+
 /// Draws robots with deviations and drives each through the poses.
 ///
 /// `nominal` has the outcomes and derivatives of the robot without deviations, pose by pose. Parameters are clamped to
@@ -109,28 +127,70 @@ pub fn monte_carlo(
     nominal: &[PoseSensitivity],
     settings: &Settings<'_>,
 ) -> Result<MonteCarlo, InputError> {
-    if settings.robots.saturating_mul(poses.len()) > ANSWER_LIMIT {
-        return Err(InputError::TooManyRobots { robots: settings.robots, poses: poses.len(), limit: ANSWER_LIMIT });
-    }
-    let causes = settings.causes;
-    let active: Vec<usize> = (0..causes.len()).filter(|&cause| settings.sigmas[cause] > 0.0).collect();
-    let own: Vec<ParameterDeviation> = active.iter().map(|&cause| causes[cause]).collect();
-    let sigmas: Vec<f64> = active.iter().map(|&cause| settings.sigmas[cause]).collect();
-    let deviates = own.iter().any(|cause| cause.side == Side::Control);
     let control = control.into();
-    let models = (&control.model, machine);
-    let run = Run {
-        models,
-        tension_method: control.tension_method,
-        makers: Makers::new(models.0, models.1, setting, offsets, &own)?,
-        poses,
-        batch: Batch::new(models.0, models.1, poses, nominal, offsets, deviates),
-        nominal,
-        active: &active,
-        sigmas: &sigmas,
-        settings,
-    };
-    Ok(summarize(&run.all(), poses.len(), settings.engine))
+    Draw { control: &control, machine, setting, offsets, poses, nominal }.in_parts(settings, &parts::here)
+}
+
+/// Robots to be drawn about one control model on one machine, and the poses to drive them through.
+pub(super) struct Draw<'a> {
+    pub(super) control: &'a Control,
+    pub(super) machine: &'a Model,
+    pub(super) setting: &'a Setting<'a>,
+    pub(super) offsets: &'a [f64],
+    pub(super) poses: &'a [CommandedPose],
+    pub(super) nominal: &'a [PoseSensitivity],
+}
+
+impl Draw<'_> {
+    /// Draws robots and drives them, sixteen in each part.
+    pub(super) fn in_parts(
+        &self,
+        settings: &Settings<'_>,
+        parts: &Parts<'_, DrawnPart>,
+    ) -> Result<MonteCarlo, InputError> {
+        let Self { control, machine, setting, offsets, poses, nominal } = *self;
+        if settings.robots.saturating_mul(poses.len()) > ANSWER_LIMIT {
+            return Err(InputError::TooManyRobots { robots: settings.robots, poses: poses.len(), limit: ANSWER_LIMIT });
+        }
+        let causes = settings.causes;
+        let active: Vec<usize> = (0..causes.len()).filter(|&cause| settings.sigmas[cause] > 0.0).collect();
+        let own: Vec<ParameterDeviation> = active.iter().map(|&cause| causes[cause]).collect();
+        let sigmas: Vec<f64> = active.iter().map(|&cause| settings.sigmas[cause]).collect();
+        let deviates = own.iter().any(|cause| cause.side == Side::Control);
+        let models = (&control.model, machine);
+        let run = Run {
+            models,
+            tension_method: control.tension_method,
+            makers: Makers::new(models.0, models.1, setting, offsets, &own)?,
+            poses,
+            batch: Batch::new(models.0, models.1, poses, nominal, offsets, deviates),
+            nominal,
+            active: &active,
+            sigmas: &sigmas,
+            settings,
+        };
+        let robots = settings.robots;
+        let part = |part: usize| {
+            let mut room = (Room::default(), Vec::new());
+            let own = part * ROBOTS_OF_PART..robots.min((part + 1) * ROBOTS_OF_PART);
+            DrawnPart { robots: own.map(|robot| DrawnRobot::of(run.one(robot, &mut room))).collect() }
+        };
+        let drawn = parts(robots.div_ceil(ROBOTS_OF_PART), &part);
+        let rows: Vec<Row> = drawn.into_iter().flat_map(|part| part.robots).map(DrawnRobot::row).collect();
+        Ok(summarize(&rows, poses.len(), settings.engine))
+    }
+}
+
+impl DrawnRobot {
+    fn of((answers, reason): Row) -> Self {
+        let there = |number: f64| Some(number).filter(|number| number.is_finite());
+        Self { answers: answers.into_iter().map(|answer| answer.map(there)).collect(), reason }
+    }
+
+    fn row(self) -> Row {
+        let numbers = |answer: [Option<f64>; 3]| answer.map(|number| number.unwrap_or(f64::NAN));
+        (self.answers.into_iter().map(numbers).collect(), self.reason)
+    }
 }
 
 /// Data shared by all robots.
@@ -150,19 +210,6 @@ struct Run<'a> {
 type Row = (Vec<Answer>, Option<String>);
 
 impl Run<'_> {
-    #[cfg(feature = "parallel")]
-    fn all(&self) -> Vec<Row> {
-        use rayon::prelude::*;
-        let robots = (0..self.settings.robots).into_par_iter();
-        robots.map_init(|| (Room::default(), Vec::new()), |room, robot| self.one(robot, room)).collect()
-    }
-
-    #[cfg(not(feature = "parallel"))]
-    fn all(&self) -> Vec<Row> {
-        let mut room = (Room::default(), Vec::new());
-        (0..self.settings.robots).map(|robot| self.one(robot, &mut room)).collect()
-    }
-
     fn one(&self, robot: usize, (room, deviations): &mut (Room, Vec<f64>)) -> Row {
         draw(self.settings.seed, robot, self.sigmas, self.settings.distribution, deviations);
         if self.settings.engine == Engine::Linear {
