@@ -85,7 +85,7 @@ class Rows(unittest.TestCase):
     def test_the_command_computes_points_by_number_and_names_their_rows(self) -> None:
         with tempfile.TemporaryDirectory() as folder:
             line = [command(), "sweep", "plan", SWEEP, "--out", folder, "--format", "json"]
-            names = json.loads(subprocess.run(line, check=True, capture_output=True).stdout)["rows"]
+            names = json.loads(subprocess.run(line, check=True, capture_output=True).stdout)["row_files"]
             self.assertEqual(names, [self.plan.row_name(point) for point in range(len(self.plan))])
             subprocess.run([command(), "sweep", "run", folder, "--points", "3,7,11"], check=True, capture_output=True)
             self.assertEqual(sorted(os.listdir(Path(folder) / "rows")), sorted(names[point] for point in (3, 7, 11)))

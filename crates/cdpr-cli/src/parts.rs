@@ -4,27 +4,13 @@
 //! are; while `sweep` computes a row, it computes that one and stops; while `sweep` merges, it takes the rows and goes on to its answer.
 
 use std::panic::resume_unwind;
-use std::sync::Arc;
 
 use cdpr_study::parts::here;
 use serde::Serialize;
 use serde::de::DeserializeOwned;
 
 use crate::session;
-
-/// Work that a run does of its parts.
-#[derive(Clone, Default)]
-pub(crate) enum PartsWanted {
-    /// All.
-    #[default]
-    All,
-    /// Only their number.
-    Count,
-    /// One of them.
-    One(usize),
-    /// None: these are the parts, as JSON.
-    Given(Arc<Vec<Vec<u8>>>),
-}
+use crate::surroundings::PartsWanted;
 
 /// Thrown through a command that has told what was wanted of its parts.
 pub(crate) enum PartsTold {

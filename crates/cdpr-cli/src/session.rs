@@ -8,8 +8,7 @@ use cdpr_plant::Controller;
 
 use crate::console::Signs;
 use crate::options;
-use crate::parts::PartsWanted;
-use crate::surroundings::{Observer, SharedFiles, Surroundings};
+use crate::surroundings::{Observer, PartsWanted, SharedFiles, Surroundings};
 
 /// Words and wishes of a run.
 #[derive(Default)]

@@ -8,8 +8,6 @@ use std::sync::{Arc, Mutex, MutexGuard, PoisonError};
 
 use cdpr_plant::Controller;
 
-use crate::parts::PartsWanted;
-
 /// Files of a run in memory: it reads them before those of the disk, and writes here alone.
 pub type Files = BTreeMap<PathBuf, Vec<u8>>;
 
@@ -60,6 +58,20 @@ impl Host {
     pub fn with_files(files: Files) -> Self {
         Self { files, ..Self::default() }
     }
+}
+
+/// Work that a run does of its parts.
+#[derive(Clone, Default)]
+pub(crate) enum PartsWanted {
+    /// All.
+    #[default]
+    All,
+    /// Only their number.
+    Count,
+    /// One of them.
+    One(usize),
+    /// None: these are the parts, as JSON.
+    Given(Arc<Vec<Vec<u8>>>),
 }
 
 /// Files that the parts of a run share.

@@ -19,25 +19,25 @@ pub struct SweepProgress {
     already_there: usize,
     /// Names of the files that the rows of all points will have, in the folder `rows` beside the plan.
     #[serde(skip_serializing_if = "Vec::is_empty")]
-    rows: Vec<String>,
+    row_files: Vec<String>,
     #[serde(skip)]
     words: String,
 }
 
 impl SweepProgress {
     /// A sweep that is planned in a folder, with a file of this name for each point.
-    pub fn planned(folder: String, rows: Vec<String>) -> Self {
-        let points = rows.len();
+    pub fn planned(folder: String, row_files: Vec<String>) -> Self {
+        let points = row_files.len();
         let words =
             format!("planned {points} points\nnext: cdpr sweep run {folder}; then: cdpr sweep merge {folder}\n");
-        Self { status: "planned", folder, points, computed: 0, already_there: 0, rows, words }
+        Self { status: "planned", folder, points, computed: 0, already_there: 0, row_files, words }
     }
 
     /// A shard in a folder, some of whose points were there before.
     pub fn computed(folder: String, computed: usize, already_there: usize) -> Self {
         let points = computed + already_there;
         let words = format!("{points} points: {computed} computed, {already_there} already there\n");
-        Self { status: "computed", folder, points, computed, already_there, rows: Vec::new(), words }
+        Self { status: "computed", folder, points, computed, already_there, row_files: Vec::new(), words }
     }
 }
 

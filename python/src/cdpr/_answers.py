@@ -10528,7 +10528,7 @@ class SweepProgress(Result):
         ("points", "points", True),
         ("program", "program", True),
         ("robot", "robot", False),
-        ("rows", "rows", False),
+        ("row_files", "row_files", False),
         ("status", "status", True),
         ("warnings", "warnings", True),
     )
@@ -10569,9 +10569,9 @@ class SweepProgress(Result):
         return self._find("robot")
 
     @property
-    def rows(self) -> tuple[str, ...] | None:
+    def row_files(self) -> tuple[str, ...] | None:
         """Names of the files that the rows of all points will have, in the folder `rows` beside the plan."""
-        return self._find("rows")
+        return self._find("row_files")
 
     @property
     def status(self) -> str:

@@ -10,9 +10,9 @@ use serde::{Deserialize, Serialize};
 use sha2::{Digest, Sha256};
 
 use crate::failure::Failure;
-use crate::parts::{PartsTold, PartsWanted};
+use crate::parts::PartsTold;
 use crate::session;
-use crate::surroundings::{Files, SharedFiles, Surroundings};
+use crate::surroundings::{Files, PartsWanted, SharedFiles, Surroundings};
 use cdpr_reports::answers::PROGRAM;
 
 /// Stack of the thread that a command runs on (bytes), as much as systems give to the first one.
