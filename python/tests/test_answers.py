@@ -135,7 +135,7 @@ class Results(unittest.TestCase):
         self.assertEqual(best.to_model().robot, best.calibrated)
         self.assertEqual(list(choice.to_pandas()["name"]), [own.name for own in choice.candidates])
         self.assertIn("validation.position_error_m.mean", choice.to_pandas().columns)
-        self.assertNotIn(b"http://", choice.page.encode().replace(b"http://www.w3.org", b""))
+        self.assertNotIn(b"http://", choice.html.encode().replace(b"http://www.w3.org", b""))
         self.assertTrue(choice._repr_html_().startswith("<iframe srcdoc="))
         with tempfile.TemporaryDirectory() as folder:
             choice.save(folder)
@@ -143,6 +143,7 @@ class Results(unittest.TestCase):
 
     def test_surfaces_are_arrays(self) -> None:
         surface = cdpr.workspace("cablerobot-simulator-helicopter", step=1.0, mesh=True).boundary
+        self.assertIn("<title>", cdpr.workspace("planar-example", step=1.0).html)
         self.assertEqual((surface.vertices.shape[1], surface.triangles.shape[1]), (3, 3))
         self.assertLess(surface.triangles.max(), len(surface.vertices))
 

@@ -11,6 +11,9 @@ import numpy as np
 if TYPE_CHECKING:
     from ._robot import Robot
 
+MOST = 12
+"""Numbers of a list that are shown."""
+
 HEIGHT = 640
 """Height of a page in a notebook (px): its first screen."""
 
@@ -30,6 +33,8 @@ def of_answer(title: str, data: Mapping[str, Any]) -> str:
             continue
         if isinstance(value, (str, int, float, bool)) or value is None:
             rows.append((key, "—" if value is None else f"{value:.6g}" if isinstance(value, float) else str(value)))
+        elif isinstance(value, list) and 0 < len(value) <= MOST and all(isinstance(own, (int, float)) for own in value):
+            rows.append((key, ", ".join(f"{own:.6g}" for own in value)))
         elif isinstance(value, Mapping) and all(isinstance(own, (int, float)) for own in value.values()):
             rows.append((key, ", ".join(f"{name} {own:.4g}" for name, own in value.items())))
     table = "".join(f"<tr><th style='text-align:left'>{html.escape(k)}</th><td>{html.escape(v)}</td></tr>" for k, v in rows)

@@ -112,7 +112,7 @@ class Result:
         return shlex.join(["cdpr", *self._line])
 
     @property
-    def page(self) -> str | None:
+    def html(self) -> str | None:
         """The page of the answer: one HTML file that refers to nothing outside; ``None`` if it has none."""
         pages = [content for name, content in self._written.items() if name.endswith(".html")]
         return pages[0].decode() if pages else None
@@ -135,7 +135,7 @@ class Result:
     def _repr_html_(self) -> str:
         from ._html import of_answer, page_in_frame
 
-        page = self.page
+        page = self.html
         return of_answer(type(self).__name__, self._data) if page is None else page_in_frame(page)
 
     def __setattr__(self, name: str, value: object) -> NoReturn:
