@@ -1,6 +1,6 @@
 """Times of the package beside those of Rust alone, of numba and of numpy, told and not judged: ratios of one run.
 
-Started with the path of the example `row_times`. One thread: set RAYON_NUM_THREADS=1.
+Started with the path of the example `row_times`, and with the folder `studies` for a sweep on Dask. One thread: set RAYON_NUM_THREADS=1.
 """
 
 from __future__ import annotations
@@ -132,18 +132,19 @@ def steps() -> float:
     return time.perf_counter() - begun
 
 
-def sweep(file: Path) -> None:
-    """Prints what a sweep takes on one and on two workers of Dask."""
+def sweep(studies: Path) -> None:
+    """Prints what a sweep of a minute and more takes on one and on two workers of Dask."""
     from distributed import Client, LocalCluster
 
-    plan = cdpr.sweep.plan(file)
+    text = (studies / "sweep-planar-tension.toml").read_text().replace("step_m = 0.05", "step_m = 0.008")
+    plan = cdpr.sweep.plan(cdpr.Sweep.from_toml(text, {file.name: file.read_text() for file in studies.glob("*.toml")}))
     taken = []
     for workers in (1, 2):
         with (
             LocalCluster(n_workers=workers, threads_per_worker=1, processes=True, dashboard_address=None) as cluster,
             Client(cluster) as client,
         ):
-            client.run(cdpr.sweep.row, plan.data, 0)
+            client.run(cdpr.sweep.plan, studies / "sweep-planar-tension.toml")
             begun = time.perf_counter()
             cdpr.dask.rows(client, plan)
             taken.append(time.perf_counter() - begun)

@@ -95,7 +95,20 @@ fn checked(root: &Path, is_all: bool) -> Outcome {
         sum.add(Outcome::of(run(command).err().into_iter().collect()));
     }
     sum.add(tests(root, &python, is_all));
+    if is_all {
+        sum.add(Outcome::of(times(root, &python).err().into_iter().collect()));
+    }
     sum
+}
+
+/// Tells the times of the package beside those of Rust, numba and numpy; none is judged.
+fn times(root: &Path, python: &Path) -> Result<(), String> {
+    cargo::succeed(root, &["build", "--quiet", "--release", "-p", "examples", "--bin", "row_times"]).into_result()?;
+    environments::pip(python, &["numba"])?;
+    let mut times = Command::new(python);
+    times.arg("benches/times.py").arg(cargo::built(root, "release", "row_times")).arg(root.join("studies"));
+    times.current_dir(root.join("python")).env("RAYON_NUM_THREADS", "1").stdin(Stdio::null());
+    run(times)
 }
 
 /// The one wheel of a folder.
