@@ -121,6 +121,18 @@ class Statics(unittest.TestCase):
         with self.assertRaises(cdpr.Error):
             self.model.satisfies(self.poses, "no-such-criterion")
 
+    def test_tensions_that_balance_nothing_are_none(self) -> None:
+        outside = [[0.0, 0.0, 30.0, 0.0, 0.0, 0.0], [0.0, 0.0, 1.5, 0.0, 0.0, 0.0]]
+        out = np.empty((2, 8))
+        found = self.model.tensions(outside, out=out)
+        self.assertEqual(found.feasible.tolist(), [False, True])
+        self.assertEqual(np.isnan(found.tensions).all(axis=1).tolist(), [True, False])
+        self.assertIs(found.tensions, out)
+        self.assertTrue(np.isnan(self.model.tensions(outside[0]).tensions).all())
+        # those have a meaning where the load is not balanced
+        for method in ("closed-form", "nearest-wrench"):
+            self.assertTrue(np.isfinite(self.model.tensions(outside, method).tensions).all())
+
     def test_stiffness_is_the_wrench_by_the_displacement(self) -> None:
         pose = self.poses[0]
         weight = -self.model.structure_matrix(pose) @ np.full(8, 4000.0)

@@ -1,6 +1,7 @@
 """Machines in time: steps, runs, and controllers in Python."""
 
 import copy
+import pickle
 import unittest
 
 import numpy as np
@@ -105,6 +106,18 @@ class Controllers(unittest.TestCase):
         self.assertEqual(damped.status, "completed")
         shake = [float(np.ptp(run.table["x_m"][-20:])) for run in (held, damped)]
         self.assertLess(shake[1], 0.8 * shake[0])
+
+    def test_sensors_give_samples_with_the_poses_of_the_tracker(self) -> None:
+        sensors = {"rate_Hz": 100, "encoders": {"resolution_m": 1e-4}}
+        tracker = {"rate_Hz": 120, "position_noise_m": 1e-3, "rotation_noise_rad": 1e-3}
+        machine = cdpr.Scenario.of(_moving(), pose=POSE, duration=2.0, tables={"sensors": {**sensors, "tracker": tracker}})
+        samples = cdpr.run(machine).to_samples(merge=True, static=True)
+        self.assertEqual(pickle.loads(pickle.dumps(samples)), samples)
+        rated = cdpr.evaluate("cablerobot-simulator-helicopter-elastostatic-calibrated", samples)
+        self.assertLess(rated.samples, 10)
+        blind = cdpr.Scenario.of(_moving(), pose=POSE, duration=0.05, tables={"sensors": sensors})
+        with self.assertRaisesRegex(cdpr.Error, "no tracker"):
+            cdpr.run(blind).to_samples(merge=True)
 
     def test_exceptions_of_a_controller_are_raised(self) -> None:
         with self.assertRaisesRegex(RuntimeError, "no idea"):

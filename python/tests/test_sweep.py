@@ -92,6 +92,19 @@ class Rows(unittest.TestCase):
             wrong = subprocess.run([command(), "sweep", "run", folder, "--points", "999"], capture_output=True, check=False)
             self.assertEqual(wrong.returncode, 2)
 
+    def test_a_sweep_of_a_study_made_here(self) -> None:
+        keys = {"machine.axial-stiffness": {"from": 1e5, "to": 1e6, "count": 3}, "control.frame-anchor[1].x": [-6.1, -6.0]}
+        sweep = cdpr.Sweep.of(study(), keys, bounds=[-2, 2, 3, 7], step=0.5)
+        plan = cdpr.sweep.plan(sweep)
+        self.assertEqual(plan.points.shape, (6, 2))
+        result = cdpr.sweep.run(plan)
+        with tempfile.TemporaryDirectory() as folder:
+            sweep.save(Path(folder) / "sweep.toml")
+            self.assertEqual(cdpr.sweep.plan(Path(folder) / "sweep.toml").points.tolist(), plan.points.tolist())
+            study().save(Path(folder) / "study.toml")
+            there = cdpr.Sweep.of(cdpr.Study(Path(folder) / "study.toml"), keys, bounds=[-2, 2, 3, 7], step=0.5)
+            self.assertEqual(cdpr.sweep.run(there).to_pandas().to_json(), result.to_pandas().to_json())
+
     def test_wrong_points_and_missing_rows_are_refused(self) -> None:
         for wrong in (-1, len(self.plan)):
             with self.assertRaises(cdpr.Error) as caught:

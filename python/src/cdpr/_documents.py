@@ -223,10 +223,40 @@ class Scenario(Document):
 
 
 class Sweep(Document):
-    """A study over ranges of numbers. ``Sweep(path)`` is a sweep file; the path of its study is relative to its folder."""
+    """A study over ranges of numbers. ``Sweep(path)`` is a sweep file; the path of its study is relative to its folder. :meth:`of` makes one
+    of a study."""
 
     __slots__ = ()
     _default = "sweep.toml"
+
+    @classmethod
+    def of(
+        cls,
+        study: Study,
+        parameters: Mapping[str, Any],
+        *,
+        bounds: Numbers | None = None,
+        step: float | None = None,
+        position_error_max: Numbers | None = None,
+        tables: Mapping[str, Any] | None = None,
+    ) -> Sweep:
+        """Returns the sweep of a study over parameters.
+
+        ``parameters``: values by key, e.g. ``{"machine.axial-stiffness": [1e5, 1e6]}``, or the keys of a table ``[[parameter]]``, e.g.
+        ``{"from": 1e5, "to": 1e7, "count": 16, "spacing": "logarithmic"}``; every value meets every value of the others. ``bounds``: box
+        x least, x largest, y least, … (m) in which the reachable workspace is sought; ``step`` (m): edge of its cells.
+        ``position_error_max`` (m): accuracies for which it is told besides. ``tables``: any further tables and keys of a sweep file.
+        """
+        stated: dict[str, Any] = _stated(
+            study=study._path or "study.toml", position_error_max_m=position_error_max, bounds_m=bounds, step_m=step
+        )
+        stated["parameter"] = [
+            {"key": key, **(own if isinstance(own, Mapping) else {"values": plain(own)})} for key, own in parameters.items()
+        ]
+        files: dict[str, Robot | str | bytes] = {}
+        if study._path is None:
+            files = {"study.toml": study._text, **study._files}
+        return cls.from_dict({**stated, **(tables or {})}, files)
 
 
 def _bytes(content: Robot | str | bytes) -> bytes:

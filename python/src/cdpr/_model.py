@@ -80,7 +80,7 @@ class Tensions:
     """Tensions that balance the load; N poses, or one without the first dimension."""
 
     tensions: Array
-    """Tensions (N, m) (N); NaN where there are none (the closed form gives its tensions in every case)."""
+    """Tensions (N, m) (N); NaN where there are none (``closed-form`` and ``nearest-wrench`` give theirs in every case)."""
     status: npt.NDArray[np.uint8]
     """Status (N,) of each pose, as :class:`TensionStatus`."""
 
@@ -106,6 +106,10 @@ class Margins:
 
     def __repr__(self) -> str:
         return f"<cdpr.Margins: {int((self.margin >= 0).sum())} of {self.margin.size} hold, unit {self.unit}>"
+
+
+_ANSWERS_ALWAYS = ("closed-form", "nearest-wrench")
+"""Methods whose tensions mean something where they balance no load within limits."""
 
 
 class State:
@@ -249,7 +253,10 @@ class Model:
         ``dykstra``, ``centroid``, ``minimum``, ``maximum``, ``barrier`` or ``nearest-wrench``. ``limits``: lower and upper one, each a
         number or one per cable (N); those of the robot if left out. ``wrench``: as in :meth:`forward`.
         """
-        return Tensions(*self._data.tensions(poses, method, limits, wrench, out))
+        tensions, status = self._data.tensions(poses, method, limits, wrench, out)
+        if method not in _ANSWERS_ALWAYS:
+            tensions[np.broadcast_to(status != TensionStatus.FEASIBLE, tensions.T.shape).T] = np.nan
+        return Tensions(tensions, status)
 
     def feasible(
         self, poses: Numbers, *, limits: tuple[Any, Any] | None = None, wrench: Numbers | None = None
@@ -299,9 +306,7 @@ class Model:
 
     def _balanced(self, poses: Numbers, wrench: Numbers | None, limits: tuple[Any, Any] | None) -> Array:
         """Returns the tensions nearest to the middle of the limits that balance the load; NaN where none do."""
-        tensions, status = self._data.tensions(poses, "qp", limits, wrench)
-        tensions[np.broadcast_to(status != TensionStatus.FEASIBLE, tensions.T.shape).T] = np.nan
-        return tensions
+        return self.tensions(poses, limits=limits, wrench=wrench).tensions
 
     def __repr__(self) -> str:
         return f"<cdpr.Model {self.composition!r} of {self._robot.name!r}>"

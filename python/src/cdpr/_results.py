@@ -225,12 +225,24 @@ class Run(_answers.Run):
         names = ("measurements.csv", "imu.csv", "tracker.csv")
         return {name: _columns(self.attached[f"result/{name}"]) for name in names if f"result/{name}" in self.attached}
 
-    def to_samples(self) -> Samples:
-        """Returns the measurements of the machine's sensors, for :func:`cdpr.identify` and others."""
+    def to_samples(self, *, merge: bool = False, static: bool = False) -> Samples:
+        """Returns the measurements of the machine's sensors, for :func:`cdpr.identify` and others.
+
+        ``merge``: with the poses of the tracker, which has a clock of its own, interpolated at the times of the other sensors. ``static``:
+        averages poses that are held. Both as in :meth:`cdpr.Samples.from_csv`.
+        """
         if "result/measurements.csv" not in self.attached:
             raise Error("run::no-sensors", "the machine has no sensors", "give the scenario a table `[sensors]`")
         sidecar = self.attached.get("result/measurements.meta.toml")
-        return Samples("measurements.csv", self.attached["result/measurements.csv"], sidecar, {})
+        options: dict[str, Any] = {}
+        if merge:
+            if "result/tracker.csv" not in self.attached:
+                raise Error("run::no-sensors", "the machine has no tracker", "give the scenario a table `[sensors.tracker]`")
+            beside = self.attached.get("result/tracker.meta.toml")
+            options["merge"] = Samples("tracker.csv", self.attached["result/tracker.csv"], beside, {})
+        if static:
+            options["static"] = True
+        return Samples("measurements.csv", self.attached["result/measurements.csv"], sidecar, options)
 
     def to_pandas(self) -> Any:
         """Returns the log as a table."""
