@@ -84,6 +84,7 @@ class Notebooks(unittest.TestCase):
     def test_sweep_and_tolerance_on_dask(self) -> None:
         seen = self.all_cells("sweep-and-tolerance-on-dask")
         self.assertEqual(seen["again"].to_json(), seen["result"].to_json())
+        self.assertEqual(seen["answers"][0], seen["alone"])
 
     def test_plant_with_your_own_controller(self) -> None:
         seen = self.all_cells("plant-with-your-own-controller")

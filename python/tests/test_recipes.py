@@ -60,15 +60,16 @@ class Recipes(unittest.TestCase):
             "HOME": str(self.folder),
         }
 
-    def sh(self, script: str, **more: str) -> None:
-        """Runs lines of a shell in the folder."""
-        self.started(["sh", "-e", "-c", script], **more)
+    def sh(self, script: str, **more: str) -> str:
+        """Runs lines of a shell in the folder, and returns what they print."""
+        return self.started(["sh", "-e", "-c", script], **more)
 
-    def started(self, words: list[str], **more: str) -> None:
+    def started(self, words: list[str], **more: str) -> str:
         run = subprocess.run(
             words, cwd=self.folder, env={**self.surroundings, **more}, capture_output=True, text=True, timeout=300, check=False
         )
         self.assertEqual(run.returncode, 0, f"{words}\n{run.stdout}{run.stderr}")
+        return run.stdout
 
     def planned(self) -> None:
         """Plans as the page says, before its recipes."""
@@ -110,6 +111,12 @@ class Recipes(unittest.TestCase):
             self.sh(script, SLURM_ARRAY_TASK_ID=str(task), SLURM_ARRAY_TASK_COUNT=count[1])
         self.sh("cdpr sweep merge tension")
         self.assertEqual(self.digest(self.folder), self.expected)
+
+    def test_questions_in_parts(self) -> None:
+        (script,) = recipes("Questions in parts")
+        whole = "cdpr benchmark --robots planar-example,cogiro"
+        self.assertIn(whole.removeprefix("cdpr "), script)
+        self.assertTrue(self.sh(script).endswith(self.sh(whole)))
 
     def test_snakemake(self) -> None:
         self.needs("snakemake")
