@@ -182,6 +182,20 @@ class Mistakes(unittest.TestCase):
         self.assertNotIn("--free", str(caught.exception))
         self.assertIn("Causes:", cdpr.explain(caught.exception.code))
 
+    def test_what_was_meant_is_asked(self) -> None:
+        for call, words in (
+            (lambda: cdpr.Robot("cogir"), "did you mean `cogiro`?"),
+            (lambda: cdpr.Robot(PLANAR)["frame-anchor[1].X"], "did you mean `frame-anchor[1]."),
+            (lambda: cdpr.ik(PLANAR, pose=[0.5, 4]).lengths, "did you mean `cable_lengths`?"),
+            (lambda: cdpr.workspace(PLANAR, bounds=[-1, 1]), "`bounds=`: expected"),
+            (lambda: cdpr.stiffness(PLANAR, pose=[0.5, 4], model="standard"), 'use `model="elastic"`'),
+            (lambda: cdpr.Samples.from_csv("nowhere.csv"), "nowhere.csv: cannot be read"),
+            (lambda: cdpr.Robot("nowhere.toml"), "nowhere.toml: cannot be read"),
+        ):
+            with self.subTest(words), self.assertRaises((cdpr.Error, KeyError, AttributeError)) as caught:
+                call()
+            self.assertIn(words, str(caught.exception))
+
     def test_a_no_is_an_answer(self) -> None:
         answer = cdpr.tension("planar-example", pose=[20.0, 20.0])
         self.assertEqual((answer.status, answer.tensions), ("infeasible", None))

@@ -114,7 +114,7 @@ impl Robot {
                     0 => format!("there is no parameter `{name}`"),
                     count => format!("`{name}` stands for {count} parameters"),
                 };
-                let help = "`robot.parameters()` lists the names of all single numbers";
+                let help = "`robot.parameters` lists the names of all single numbers";
                 return Err(mistaken(py, "parameter::unknown-name", message, help));
             };
             let (least, largest) = parameter.bounds();

@@ -11,9 +11,8 @@ from typing import TYPE_CHECKING, Any, TypeVar
 import numpy as np
 
 from ._arrays import Numbers, Path, plain
-from ._errors import Error, Place
 from ._model import Model
-from ._robot import Robot, save
+from ._robot import Robot, read, save
 from ._samples import Sigmas, _csv
 
 if TYPE_CHECKING:
@@ -35,11 +34,7 @@ class Document:
 
     def __init__(self, path: Path) -> None:
         name = os.fspath(path)
-        try:
-            text = FilePath(name).read_bytes()
-        except OSError as error:
-            raise Error("io::read", f"cannot read {name}: {error.strerror}", None, Place(name)) from None
-        self._set(name, text, {}, name)
+        self._set(name, read(name), {}, name)
 
     def _set(self, name: str, text: bytes, files: dict[str, bytes], path: str | None) -> None:
         for slot, value in (("_name", name), ("_text", text), ("_files", files), ("_path", path)):

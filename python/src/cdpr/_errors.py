@@ -60,9 +60,13 @@ def refused(
 
 
 def in_python(text: str) -> str:
-    """Returns words of the command with its options as arguments: ``--tension-min`` becomes ``tension_min=``."""
+    """Returns words of the command with its options as arguments: ``--tension-min`` becomes ``tension_min=``, ``--model elastic`` in quotes or
+    before a colon ``model="elastic"``."""
 
     def argument(option: re.Match[str]) -> str:
-        return option.group(1).replace("-", "_") + "="
+        name, value, colon = option.group(1).replace("-", "_"), option.group(2), option.group(3)
+        if colon is not None:
+            return f"`{name}=`:"
+        return f"{name}=" if value is None else f'{name}="{value}"'
 
-    return re.sub(r"(?<![\w-])--([a-z][a-z-]*)", argument, text)
+    return re.sub(r"(?<![\w-])--([a-z][a-z-]*)(?:[ =]([^\s`:]+)(?=[`:](?:\s|$|[.,;)]))|(:))?", argument, text)

@@ -250,7 +250,7 @@ class Model:
         """Returns tensions (N, m) in newtons that balance the load at the poses; see :class:`Tensions`.
 
         ``method``: ``qp`` (nearest to the middle of the limits, exact), ``closed-form``, ``improved-closed-form``, ``puncture``,
-        ``dykstra``, ``centroid``, ``minimum``, ``maximum``, ``barrier`` or ``nearest-wrench``. ``limits``: lower and upper one, each a
+        ``dykstra``, ``centroid``, ``minimum``, ``maximum``, ``barrier``, ``smooth`` or ``nearest-wrench``. ``limits``: lower and upper one, each a
         number or one per cable (N); those of the robot if left out. ``wrench``: as in :meth:`forward`.
         """
         tensions, status = self._data.tensions(poses, method, limits, wrench, out)

@@ -138,6 +138,18 @@ class Result:
         page = self.html
         return of_answer(type(self).__name__, self._data) if page is None else page_in_frame(page)
 
+    if not TYPE_CHECKING:
+
+        def __getattr__(self, name: str) -> NoReturn:
+            from ._robot import meant
+
+            if name in (own for own, _, _ in self._KEYS):
+                words = f"has no key for {name!r}: another version wrote it"
+            else:
+                help = "" if name.startswith("_") else f"; {meant(name, dir(self))}`dir(…)` lists all"
+                words = f"has no attribute {name!r}{help}"
+            raise AttributeError(f"{type(self).__name__} {words}")
+
     def __setattr__(self, name: str, value: object) -> NoReturn:
         raise AttributeError(f"{type(self).__name__} cannot be changed")
 

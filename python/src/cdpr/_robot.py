@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+import difflib
 import os
-from collections.abc import Mapping
+from collections.abc import Iterable, Mapping
 from dataclasses import dataclass
 from pathlib import Path as FilePath
 from typing import TYPE_CHECKING, Any
@@ -52,13 +53,11 @@ class Robot:
         if data is not None:
             self._set(data, f"{word}.toml", data.to_toml().encode())
             return
-        try:
-            text = FilePath(word).read_bytes()
-        except OSError as error:
-            if looks_like_path:
-                raise Error("io::read", f"cannot read {word}: {error.strerror}", None, Place(word)) from None
+        if not looks_like_path and not FilePath(word).is_file():
             message = f"there is neither a built-in robot nor a file named `{word}`"
-            raise Error("robot::unknown-name", message, "`cdpr.robots()` lists the built-in robots") from None
+            help = f"{meant(word, robots())}`cdpr.robots()` lists the built-in robots"
+            raise Error("robot::unknown-name", message, help)
+        text = read(word)
         self._set(_cdpr.Robot.from_toml(text, word), word, text)
 
     def _set(self, data: _cdpr.Robot, name: str, text: bytes) -> None:
@@ -158,7 +157,7 @@ class Robot:
         """Returns a number by its name, e.g. ``robot["frame-anchor[3].x"]``."""
         found = self._data.parameter(name)
         if not found:
-            raise KeyError(name)
+            raise KeyError(f"{name}: {meant(name, [own.name for own in self.parameters])}`robot.parameters` lists all names")
         if len(found) > 1:
             raise KeyError(f"{name} stands for {len(found)} numbers, from {found[0][0]} to {found[-1][0]}")
         return Parameter(*found[0])
@@ -210,6 +209,20 @@ def robots() -> list[str]:
     return _cdpr.builtin_names()
 
 
+def meant(word: str, names: Iterable[str]) -> str:
+    """Returns a question for the name that a word is nearest to; nothing if none is near."""
+    near = difflib.get_close_matches(word, list(names), 1)
+    return f"did you mean `{near[0]}`? " if near else ""
+
+
+def read(path: Path) -> bytes:
+    """Returns the content of a file."""
+    try:
+        return FilePath(path).read_bytes()
+    except OSError as error:
+        raise Error("io::read", f"cannot be read: {error.strerror}", None, Place(os.fspath(path))) from None
+
+
 def save(path: Path, content: bytes) -> None:
     """Writes a file whole: it is there completely or as it was before."""
     target = FilePath(path)
@@ -219,4 +232,4 @@ def save(path: Path, content: bytes) -> None:
         beside.replace(target)
     except OSError as error:
         beside.unlink(missing_ok=True)
-        raise Error("io::write", f"cannot write {target}: {error.strerror}", None, Place(str(target))) from None
+        raise Error("io::write", f"cannot be written: {error.strerror}", None, Place(str(target))) from None

@@ -13,8 +13,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from ._arrays import Array, Numbers, Path
-from ._errors import Error, Place
-from ._robot import Robot, save
+from ._errors import Error
+from ._robot import Robot, read, save
 
 if TYPE_CHECKING:
     import pandas
@@ -102,13 +102,9 @@ class Samples:
         are interpolated at the times ``t_s``, over gaps of ``merge_gap`` seconds at most. ``static``: averages poses that are held.
         """
         name = os.fspath(path)
-        file = FilePath(name)
-        try:
-            text = file.read_bytes()
-            beside = file.with_suffix(".meta.toml")
-            sidecar = beside.read_bytes() if beside.is_file() else None
-        except OSError as error:
-            raise Error("io::read", f"cannot read {name}: {error.strerror}", None, Place(name)) from None
+        text = read(name)
+        beside = FilePath(name).with_suffix(".meta.toml")
+        sidecar = read(beside) if beside.is_file() else None
         options: dict[str, Any] = {
             "sigma": sigmas._option() if sigmas else None,
             "columns": columns,
