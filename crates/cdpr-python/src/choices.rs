@@ -1,13 +1,19 @@
-//! Loads, tension limits and methods that callers choose, or the robot's own.
+//! Loads, tension limits, methods and criteria that callers choose, or the robot's own.
 
+use cdpr::Model;
 use cdpr::reading::Keyword;
 use cdpr::robot::Robot;
 use cdpr::statics::Load;
 use cdpr::tension::{Limits, Method};
+use cdpr::workspace::Criterion;
+use cdpr::workspace::criterion::registry::{self, CriterionRequest, Setting};
 use pyo3::prelude::*;
 
 use crate::arrays::{Rows, numbers};
 use crate::error::{OrRaise, mistaken};
+
+/// Lower and upper limits of tensions (N).
+pub(crate) type LimitArguments<'py> = (Bound<'py, PyAny>, Bound<'py, PyAny>);
 
 /// The load that `wrench` gives, by the components of the robot's motion pattern, or the robot's own.
 pub(crate) fn load(py: Python<'_>, robot: &Robot, wrench: Option<&Bound<'_, PyAny>>) -> PyResult<Load> {
@@ -29,11 +35,7 @@ pub(crate) fn load_if_given(
 }
 
 /// The limits (minimum, maximum), each a number or one per cable, or the robot's own.
-pub(crate) fn limits(
-    py: Python<'_>,
-    robot: &Robot,
-    limits: Option<(Bound<'_, PyAny>, Bound<'_, PyAny>)>,
-) -> PyResult<Limits> {
+pub(crate) fn limits(py: Python<'_>, robot: &Robot, limits: Option<LimitArguments<'_>>) -> PyResult<Limits> {
     let Some((minimum, maximum)) = limits else { return Limits::of(robot, None, None).or_raise(py) };
     let per_cable = |bound: &Bound<'_, PyAny>| -> PyResult<Vec<f64>> {
         match bound.extract::<f64>() {
@@ -61,4 +63,36 @@ pub(crate) fn named<T: Keyword>(py: Python<'_>, name: &str, what: &str) -> PyRes
 /// The way to choose tensions.
 pub(crate) fn method(py: Python<'_>, name: &str) -> PyResult<Method> {
     named(py, name, "method")
+}
+
+/// Inputs of criteria: load and limits as given, or those of the robot if it states them.
+pub(crate) fn setting<'m>(
+    py: Python<'_>,
+    model: &'m Model,
+    bounds: Option<LimitArguments<'_>>,
+    wrench: Option<&Bound<'_, PyAny>>,
+) -> PyResult<Setting<'m>> {
+    let robot = model.robot();
+    Ok(Setting {
+        model,
+        load: match wrench {
+            Some(_) => Ok(load(py, robot, wrench)?),
+            None => Load::of(robot),
+        },
+        limits: match bounds {
+            Some(_) => Ok(limits(py, robot, bounds)?),
+            None => Limits::of(robot, None, None),
+        },
+    })
+}
+
+/// The criterion that all of these names ask for.
+pub(crate) fn criterion<'a>(
+    py: Python<'_>,
+    names: &[String],
+    setting: &Setting<'a>,
+) -> PyResult<Box<dyn Criterion + 'a>> {
+    let wanted =
+        names.iter().map(|name| name.parse::<CriterionRequest>()).collect::<Result<Vec<_>, _>>().or_raise(py)?;
+    registry::all(&wanted, setting).or_raise(py)
 }

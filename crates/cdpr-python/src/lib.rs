@@ -10,6 +10,7 @@ mod model;
 mod plant;
 mod question;
 mod robot;
+mod state;
 mod sweep;
 
 use pyo3::prelude::*;
@@ -24,8 +25,6 @@ mod _cdpr {
     #[pymodule_export]
     use crate::model::Model;
     #[pymodule_export]
-    use crate::model::State;
-    #[pymodule_export]
     use crate::plant::Plant;
     #[pymodule_export]
     use crate::plant::PlantState;
@@ -37,6 +36,8 @@ mod _cdpr {
     use crate::robot::Robot;
     #[pymodule_export]
     use crate::robot::builtin_names;
+    #[pymodule_export]
+    use crate::state::State;
     #[pymodule_export]
     use crate::sweep::PreparedSweep;
 }

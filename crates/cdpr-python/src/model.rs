@@ -1,37 +1,28 @@
 //! Models: inverse and forward problems, tensions, structure matrices and stiffness of many poses.
 
-use std::sync::{Arc, Mutex, PoisonError};
+use std::sync::Arc;
 
 use cdpr::Robot as RobotData;
-use cdpr::equilibrium::{self, ForwardAnswers, ForwardRows, ForwardSettings, RowsError, Status};
-use cdpr::geometry::{Pose, PoseBatch};
+use cdpr::equilibrium::{self, ForwardAnswers, ForwardRows, ForwardSettings, Status};
+use cdpr::geometry::Pose;
 use cdpr::nalgebra::DMatrix;
-use cdpr::statics::{Load, Stiffness};
-use cdpr::tension::{self, Limits};
-use cdpr::workspace::criterion::registry::{self, CriterionRequest, Setting};
-use cdpr::workspace::{Criterion, Verdict};
+use cdpr::statics::Stiffness;
+use cdpr::tension;
+use cdpr::workspace::Verdict;
 use numpy::{PyArray1, PyArrayDyn};
 use pyo3::prelude::*;
 
 use crate::arrays::{Poses, Rows, array, room, writable};
-use crate::choices;
+use crate::choices::{self, LimitArguments};
 use crate::error::{OrRaise, mistaken};
 use crate::robot::Robot;
+use crate::state::{State, course_of_lengths, course_of_poses};
 
 /// A robot with chosen effects. Immutable; any number of threads may use it.
 #[pyclass(frozen, module = "cdpr._cdpr")]
 pub(crate) struct Model {
     pub(crate) model: Arc<cdpr::Model>,
 }
-
-/// Memories of a robot's cables, and the pose at which it settled last.
-#[pyclass(frozen, module = "cdpr._cdpr")]
-pub(crate) struct State {
-    state: Mutex<equilibrium::State>,
-}
-
-/// Lower and upper limits of tensions (N).
-type LimitArguments<'py> = (Bound<'py, PyAny>, Bound<'py, PyAny>);
 
 /// Poses, statuses, residuals, iterations and tensions.
 type Forward<'py> = (
@@ -65,6 +56,17 @@ impl Model {
     #[getter]
     fn needs_tensions(&self) -> bool {
         self.model.needs_tensions()
+    }
+
+    /// The robot at rest at a pose (home if none is given), with cables that were never loaded.
+    #[pyo3(signature = (pose=None))]
+    fn state(&self, py: Python<'_>, pose: Option<&Bound<'_, PyAny>>) -> PyResult<State> {
+        let model = &*self.model;
+        let Some(pose) = pose else { return Ok(State::of(equilibrium::State::at_home(model))) };
+        match Poses::of(pose, model.robot(), "pose")?.all(py)?[..] {
+            [pose] => Ok(State::of(equilibrium::State::at(model, &pose))),
+            _ => Err(mistaken(py, "array::unfit", "pose: one pose is needed", "pass one row")),
+        }
     }
 
     /// Lengths that depend on no tensions.
@@ -276,8 +278,8 @@ impl Model {
         limits: Option<LimitArguments<'py>>,
         wrench: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Bound<'py, PyArray1<bool>>> {
-        let setting = self.setting(py, limits, wrench)?;
-        let criterion = criterion(py, &criteria, &setting)?;
+        let setting = choices::setting(py, &self.model, limits, wrench)?;
+        let criterion = choices::criterion(py, &criteria, &setting)?;
         let poses = Poses::of(poses, self.model.robot(), "poses")?.all(py)?;
         let mut answers = vec![false; poses.len()];
         py.detach(|| criterion.holds_all(&poses, &mut answers));
@@ -294,8 +296,8 @@ impl Model {
         limits: Option<LimitArguments<'py>>,
         wrench: Option<&Bound<'py, PyAny>>,
     ) -> PyResult<Margins<'py>> {
-        let setting = self.setting(py, limits, wrench)?;
-        let criterion = self::criterion(py, &[criterion.to_owned()], &setting)?;
+        let setting = choices::setting(py, &self.model, limits, wrench)?;
+        let criterion = choices::criterion(py, &[criterion.to_owned()], &setting)?;
         let poses = Poses::of(poses, self.model.robot(), "poses")?.all(py)?;
         let verdicts: Vec<Verdict> = py.detach(|| poses.iter().map(|pose| criterion.judge(pose)).collect());
         let margins: Vec<f64> = verdicts.iter().map(|verdict| verdict.margin).collect();
@@ -339,87 +341,7 @@ impl Model {
     }
 }
 
-/// The criterion that all of these names ask for.
-fn criterion<'a>(py: Python<'_>, names: &[String], setting: &Setting<'a>) -> PyResult<Box<dyn Criterion + 'a>> {
-    let wanted =
-        names.iter().map(|name| name.parse::<CriterionRequest>()).collect::<Result<Vec<_>, _>>().or_raise(py)?;
-    registry::all(&wanted, setting).or_raise(py)
-}
-
-/// Lengths along a course of poses under tensions, of cables that remember; NaN where there are none.
-fn course_of_lengths(
-    model: &cdpr::Model,
-    poses: &[Pose],
-    tensions: &[f64],
-    state: &mut equilibrium::State,
-    lengths: &mut [f64],
-) {
-    let cables = model.cable_count();
-    for ((pose, own), row) in poses.iter().zip(tensions.chunks_exact(cables)).zip(lengths.chunks_exact_mut(cables)) {
-        match model.inverse(pose, own, state) {
-            Ok(found) => row.iter_mut().zip(&found.cables).for_each(|(place, own)| *place = own.controlled_length),
-            Err(_) => row.fill(f64::NAN),
-        }
-        state.settle_inverse(model);
-    }
-}
-
-/// Poses along a course of lengths, of cables that remember; without guesses each search begins at the pose before.
-fn course_of_poses(
-    model: &cdpr::Model,
-    problems: &ForwardRows<'_>,
-    state: &mut equilibrium::State,
-    answers: ForwardAnswers<'_>,
-) -> Result<(), RowsError> {
-    let (cables, settings) = (model.cable_count(), ForwardSettings::default());
-    let ForwardAnswers { poses, statuses, residual_rms, iterations, tensions } = answers;
-    let (mut residual_rms, mut iterations, mut tensions) = (residual_rms, iterations, tensions);
-    let mut guesses = PoseBatch::default();
-    guesses.fill_rows(problems.guesses)?;
-    for (row, lengths) in problems.lengths.chunks_exact(cables).enumerate() {
-        let guess = match guesses.len() {
-            0 => state.pose(),
-            1 if row > 0 => state.pose(),
-            count => guesses.get(row.min(count - 1)),
-        };
-        let solution = model.forward_with(&settings, lengths, problems.load, Some(&guess), state)?;
-        (poses[row], statuses[row]) = (solution.pose.numbers(), solution.status);
-        if let Some(places) = &mut residual_rms {
-            places[row] = solution.residual_rms;
-        }
-        if let Some(places) = &mut iterations {
-            places[row] = solution.iterations;
-        }
-        if let Some(places) = &mut tensions {
-            places[row * cables..][..cables].iter_mut().zip(&solution.tensions).for_each(|(place, own)| *place = *own);
-        }
-        state.settle_forward(model);
-    }
-    Ok(())
-}
-
 impl Model {
-    /// Inputs of criteria: load and limits as given, or those of the robot if it states them.
-    fn setting(
-        &self,
-        py: Python<'_>,
-        limits: Option<LimitArguments<'_>>,
-        wrench: Option<&Bound<'_, PyAny>>,
-    ) -> PyResult<Setting<'_>> {
-        let robot = self.model.robot();
-        Ok(Setting {
-            model: &self.model,
-            load: match wrench {
-                Some(_) => Ok(choices::load(py, robot, wrench)?),
-                None => Load::of(robot),
-            },
-            limits: match limits {
-                Some(_) => Ok(choices::limits(py, robot, limits)?),
-                None => Limits::of(robot, None, None),
-            },
-        })
-    }
-
     /// A matrix for each pose; NaN where there is none.
     fn matrices<'py>(
         &self,
@@ -444,47 +366,5 @@ impl Model {
             }
         }
         Ok(matrices)
-    }
-}
-
-#[pymethods]
-impl State {
-    /// The robot at rest at a pose (home if none is given), with cables that were never loaded.
-    #[new]
-    #[pyo3(signature = (model, pose=None))]
-    fn new(py: Python<'_>, model: PyRef<'_, Model>, pose: Option<&Bound<'_, PyAny>>) -> PyResult<Self> {
-        let model = &*model.model;
-        let state = match pose {
-            None => equilibrium::State::at_home(model),
-            Some(pose) => match Poses::of(pose, model.robot(), "pose")?.all(py)?[..] {
-                [pose] => equilibrium::State::at(model, &pose),
-                _ => return Err(mistaken(py, "array::unfit", "pose: one pose is needed", "pass one row")),
-            },
-        };
-        Ok(Self { state: Mutex::new(state) })
-    }
-
-    #[getter]
-    fn pose<'py>(&self, py: Python<'py>) -> PyResult<Bound<'py, PyArrayDyn<f64>>> {
-        array(py, &self.lock().pose().numbers(), &[7])
-    }
-
-    fn copy(&self) -> Self {
-        Self { state: Mutex::new(self.lock().clone()) }
-    }
-
-    fn __copy__(&self) -> Self {
-        self.copy()
-    }
-
-    fn __deepcopy__(&self, _memo: &Bound<'_, PyAny>) -> Self {
-        self.copy()
-    }
-}
-
-impl State {
-    fn lock(&self) -> std::sync::MutexGuard<'_, equilibrium::State> {
-        // a state is replaced whole
-        self.state.lock().unwrap_or_else(PoisonError::into_inner)
     }
 }

@@ -122,7 +122,7 @@ class State:
     __slots__ = ("_data",)
 
     def __init__(self, model: Model, pose: Numbers | None = None) -> None:
-        self._data = _cdpr.State(model._data, pose)
+        self._data = model._data.state(pose)
 
     @property
     def pose(self) -> Array:
