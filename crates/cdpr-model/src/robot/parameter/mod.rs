@@ -12,7 +12,7 @@ mod tests;
 
 use nalgebra::Vector3;
 
-use super::{Axis, Component, ExternalWrench, Frame, Robot, TrackedFrames};
+use super::{Axis, CableStiffness, Component, ExternalWrench, Frame, Robot, TrackedFrames};
 use crate::geometry::Wrench;
 use cable_numbers::{of_cable, set_of_cable};
 pub use kind::ParameterKind;
