@@ -4,7 +4,7 @@ use std::path::{Path, PathBuf};
 use std::process::{Command, Stdio};
 
 use crate::outcome::Outcome;
-use crate::programs::run;
+use crate::programs::{can_install, install, on_path, run};
 use crate::{cargo, environments};
 
 /// Checks of types: of the package, and of the compiled part against what is said of it.
@@ -88,6 +88,9 @@ fn checked(root: &Path, is_all: bool) -> Outcome {
     if let Err(complaint) = installed {
         return Outcome::of(vec![complaint]);
     }
+    if is_all && let Err(complaint) = fetch_recipes(&python) {
+        return Outcome::of(vec![complaint]);
+    }
     let mut sum = Outcome::of(Vec::new());
     for words in TYPES {
         let mut command = Command::new(&python);
@@ -99,6 +102,15 @@ fn checked(root: &Path, is_all: bool) -> Outcome {
         sum.add(Outcome::of(times(root, &python).err().into_iter().collect()));
     }
     sum
+}
+
+/// Sees to it that the programs of the book's recipes are there, where they can be installed; a recipe without its program is skipped aloud.
+fn fetch_recipes(python: &Path) -> Result<(), String> {
+    environments::pip(python, &["joblib", "dask-jobqueue", "snakemake"])?;
+    if on_path("sbatch").is_none() && can_install() {
+        install(&["parallel", "munge", "slurm-wlm"])?;
+    }
+    Ok(())
 }
 
 /// Tells the times of the package beside those of Rust, numba and numpy; none is judged.
