@@ -147,6 +147,13 @@ class Results(unittest.TestCase):
         self.assertEqual((surface.vertices.shape[1], surface.triangles.shape[1]), (3, 3))
         self.assertLess(surface.triangles.max(), len(surface.vertices))
 
+    def test_templates_are_robots_to_start_from(self) -> None:
+        for name in ("suspended-camera", "wall-plotter", "planar-frame", "box"):
+            made = cdpr.new(name)
+            self.assertEqual(cdpr.check(made.example).status, "checked", name)
+            self.assertEqual(cdpr.accuracy(made.study).robot, made.example.name)
+        self.assertEqual(cdpr.run(cdpr.new("box").scenario).status, "completed")
+
     def test_measurements_of_a_machine_identify_it(self) -> None:
         made = cdpr.simulate(study(), seed=1).table
         found = cdpr.identify(cdpr.Model("planar-example", "elastic"), made, free="length-offset")

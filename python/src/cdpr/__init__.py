@@ -48,7 +48,7 @@ if TYPE_CHECKING:
     )
     from ._robot import Parameter, Robot, robots
     from ._samples import Samples, Sigmas
-    from ._views import explain, self_calibrate
+    from ._views import explain, new, self_calibrate
 
 # modules are imported when a name of theirs is asked for: `import cdpr` and the command start without numpy
 _MODULES = {
@@ -118,7 +118,7 @@ _MODULES = {
     ),
     "_robot": ("Parameter", "Robot", "robots"),
     "_samples": ("Samples", "Sigmas"),
-    "_views": ("explain", "self_calibrate"),
+    "_views": ("explain", "new", "self_calibrate"),
 }
 _EXTRAS = ("dask", "gym", "sweep")
 _PLACES = {name: module for module, names in _MODULES.items() for name in names}

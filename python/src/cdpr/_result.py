@@ -162,7 +162,8 @@ class Result:
         for key in sorted(self._data, key=lambda key: key != "status"):
             value = self._data[key]
             if key in names and key not in ("program", "layout_version") and _is_shown(value):
-                shown.append(f"{names[key]}={_shown(value)}")
+                # the words of a finding are what it is
+                shown.append(f"{names[key]}={value!r}" if key == "text" else f"{names[key]}={_shown(value)}")
         return f"{type(self).__name__}({', '.join(shown[:_MOST_SHOWN])})"
 
     def __dir__(self) -> Iterator[str]:

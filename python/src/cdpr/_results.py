@@ -14,6 +14,8 @@ import numpy.typing as npt
 from . import _answers
 from ._answers import Capability as Capability, Chain as Chain, Dynamics as Dynamics, Evaluation as Evaluation, Explanation as Explanation, ForwardKinematics as ForwardKinematics, InitialTensions as InitialTensions, InverseKinematics as InverseKinematics, ModelEffects as ModelEffects, NoHangingPose as NoHangingPose, PlatformLoad as PlatformLoad, RobotCheck as RobotCheck, Stiffness as Stiffness, Study as Study, SweepProgress as SweepProgress, Tensions as Tensions, TestBench as TestBench
 from ._arrays import Array
+from ._documents import Scenario
+from ._documents import Study as StudyFile
 from ._errors import Error
 from ._model import Model
 from ._result import Result
@@ -137,6 +139,30 @@ class PlacedPulleys(_answers.PlacedPulleys):
     def placed(self) -> Robot:
         """The robot with the pulleys."""
         return Robot.from_toml(self.attached["robot.toml"], "robot.toml")
+
+
+class NewFolder(_answers.NewFolder):
+    """A robot to start from, with a study and a scenario; every line of their files is explained."""
+
+    __slots__ = ()
+
+    def _beside(self) -> dict[str, Robot | str | bytes]:
+        return {name.split("/", 1)[1]: content for name, content in self.attached.items()}
+
+    @property
+    def example(self) -> Robot:
+        """The robot: ``example.to_toml()`` is its file, to be changed."""
+        return Robot.from_toml(self.attached["new/robot.toml"], "robot.toml")
+
+    @property
+    def study(self) -> StudyFile:
+        """The study of the robot."""
+        return StudyFile.from_toml(self.attached["new/study.toml"], self._beside())
+
+    @property
+    def scenario(self) -> Scenario:
+        """The scenario of the robot."""
+        return Scenario.from_toml(self.attached["new/scenario.toml"], self._beside())
 
 
 class Compensation(_answers.Compensation):

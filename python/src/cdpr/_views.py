@@ -48,3 +48,11 @@ def explain(code: str) -> str:
     """Returns the page about an error's code or a finding, e.g. ``"finding::scale"``: what happened, causes, how to mend it."""
     answer = ask(results.Explanation, "explain", [code], {})
     return str(answer.to_dict()["explanation"])
+
+
+def new(template: str) -> results.NewFolder:
+    """Returns a robot to start from, with a study and a scenario: ``suspended-camera``, ``wall-plotter``, ``planar-frame`` or ``box``.
+
+    ``save(folder)`` writes its files, each of which explains its lines.
+    """
+    return ask(results.NewFolder, "new", [template], {}, outputs={"out": "new"})
