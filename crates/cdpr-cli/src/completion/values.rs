@@ -71,6 +71,7 @@ fn by_name(command: &str, name: &str, typed: &str) -> Option<Proposals> {
         (_, "RESULT") => Proposals::of(robots()).with_files(Files::Any),
         ("robots", "NAME") => Proposals::of(robots()),
         ("new", "NAME") => Proposals::of(commands::new::names().map(plain)),
+        ("plan", "COMMAND") => Proposals::of(["benchmark", "campaign", "sensitivity"].map(plain)),
         (_, "CODE") => {
             Proposals::of(explanations::all().map(|one| Proposal::new(one.code, first_sentence(one.summary()))))
         }
