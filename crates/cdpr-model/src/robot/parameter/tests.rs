@@ -1,6 +1,6 @@
 use super::*;
 use crate::geometry::{MotionPattern, Plane};
-use crate::robot::{Groove, GrooveEnds, Platform};
+use crate::robot::{Cable, Groove, GrooveEnds, Platform};
 
 /// A robot of each pattern with every number stated, the planar ones in planes whose normals are negative axes too.
 fn robots() -> Vec<Robot> {
