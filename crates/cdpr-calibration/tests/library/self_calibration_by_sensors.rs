@@ -11,7 +11,7 @@ use cdpr_model::measurement::{InternalSamples, MeasurementFile, ReadingOptions, 
 use cdpr_model::model::{Composition, Model};
 use cdpr_model::robot::Robot;
 use cdpr_model::statics::{Load, controlled_lengths};
-use cdpr_testing::shared;
+use cdpr_testing::{property, shared};
 use nalgebra::{DVector, Vector3};
 
 const PULLEYS: Composition = Composition { pulley: true, ..Composition::STANDARD };
@@ -267,7 +267,8 @@ fn load_cells_are_tared_only_beside_bench_values() {
     }
 }
 
-/// Intervals of 95 % hold the truth, pooled over the parameters of 200 calibrations by lengths, tensions and swivels with noise.
+/// Intervals of 95 % hold the truth, pooled over the parameters of calibrations by lengths, tensions and swivels with noise;
+/// a soak draws four times as many, 280.
 #[test]
 fn intervals_of_all_sensors_hold_the_truth() {
     use rand::SeedableRng;
@@ -284,11 +285,11 @@ fn intervals_of_all_sensors_hold_the_truth() {
     clean.samples.poses.iter_mut().for_each(|pose| *pose = Pose::identity());
     let sigmas = &mut clean.samples.sigmas;
     (sigmas.length, sigmas.tension, sigmas.swivel) = (Some(5e-4), Some(0.5), Some(5e-3));
-    let mut generator = rand_chacha::ChaCha8Rng::seed_from_u64(21);
+    let mut generator = rand_chacha::ChaCha8Rng::seed_from_u64(21 + property::first_seed());
     let [of_length, of_tension, of_swivel] = [5e-4, 0.5, 5e-3].map(|sigma| Normal::new(0.0, sigma).unwrap());
     let (mut inside, mut count) = (0, 0);
     let settings = Settings::default();
-    for run in 0..200 {
+    for run in 0..property::sample(70) {
         let mut internal = clean.clone();
         internal.samples.lengths.iter_mut().for_each(|value| *value += of_length.sample(&mut generator));
         let tensions = internal.samples.tensions.iter_mut().flatten();
@@ -302,6 +303,7 @@ fn intervals_of_all_sensors_hold_the_truth() {
         }
     }
     let fraction = inside as f64 / count as f64;
-    println!("{fraction}");
+    println!("{fraction} of {count}");
+    // of 700 and more intervals: a standard deviation of at most 0.8 %
     assert!((0.93..=0.97).contains(&fraction), "{fraction}");
 }
