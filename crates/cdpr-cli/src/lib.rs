@@ -1,7 +1,7 @@
 //! The `cdpr` command as a library: [`run`] takes the words of a command line and writes to streams of the caller.
 //!
 //! Several runs may go on side by side in one process, each with streams of its own. Files are read and written as their paths say,
-//! from the working folder of the process; [`run_in`] keeps them in memory, tells how the work goes on, and can be stopped.
+//! from the working folder of the process. [`run_in`] keeps files in memory, reports progress, and can be stopped.
 
 mod answer;
 mod commands;
@@ -102,8 +102,8 @@ pub fn run(arguments: impl IntoIterator<Item = OsString>, out: &mut dyn Stream, 
 
 /// Runs a command line as [`run`] does, within another program, which brings files in memory and takes progress.
 ///
-/// What the run writes is in `host.files` afterwards, and not on the disk. If the host's observer breaks, the run ends at the next step of
-/// its work with the exit code 130, and what it wrote until then is unspecified.
+/// Files that the run writes are put into `host.files`, not on the disk. If the host's observer returns `Break`, the run ends at the next
+/// step of its work with the exit code 130; files that it wrote until then are unspecified.
 ///
 /// ```
 /// # use std::process::ExitCode;

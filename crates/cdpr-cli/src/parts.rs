@@ -1,7 +1,7 @@
 //! Commands whose work has parts: all of them here, or one at a time for a plan that is computed elsewhere.
 //!
-//! A command asks [`computed`] for its parts once. From a shell it computes them. While `sweep` plans it, it stops there and tells how many there
-//! are; while `sweep` computes a row, it computes that one and stops; while `sweep` merges, it takes the rows and goes on to its answer.
+//! [`computed`] returns the parts of a command's work, once in a run. Run from a shell, it computes all of them. Planned by `sweep plan`, the
+//! command ends there with their number; in `sweep run` it computes one and ends; in `sweep merge` it reads the rows and goes on to its answer.
 
 use std::panic::resume_unwind;
 

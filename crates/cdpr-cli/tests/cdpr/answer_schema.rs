@@ -12,7 +12,7 @@ fn schema() -> &'static Value {
     SCHEMA.get_or_init(|| serde_json::from_str(&cdpr("schema answers").stdout).unwrap())
 }
 
-/// Asserts that the schema tells of all that the answer to these arguments says.
+/// Asserts that the answer to these arguments is valid by the schema of its command, without unknown keys.
 pub(super) fn assert_fits(arguments: &[String], answer: &Value) {
     let commands = &schema()["properties"];
     // of `schema` the answer is a schema itself
@@ -26,7 +26,7 @@ pub(super) fn assert_fits(arguments: &[String], answer: &Value) {
     assert!(faults.is_empty(), "{arguments:?}: {faults:#?}");
 }
 
-/// Faults of a value by its schema, within a root with definitions; the path tells where they are.
+/// Returns the places where a value breaks its schema, each with its path; `root` holds the definitions.
 fn faults(value: &Value, schema: &Value, root: &Value, path: &str) -> Vec<String> {
     if let Some(name) = schema["$ref"].as_str() {
         let definition = root.pointer(name.trim_start_matches('#'));

@@ -112,7 +112,7 @@ impl Run {
         self.stdout.split_whitespace().collect::<Vec<_>>().join(" ")
     }
 
-    /// The one JSON object on stdout, all of which the schema of answers tells of.
+    /// Returns the one JSON object on stdout, after checking it against the schema of answers.
     fn json(&self) -> Value {
         let value: Value =
             serde_json::from_str(&self.stdout).unwrap_or_else(|error| panic!("{error}: {}", self.stdout));

@@ -58,7 +58,7 @@ enum Run {
 }
 
 impl CommandPlan {
-    /// The plan of a command line; the command runs up to its parts, so that wrong words and files are told now.
+    /// Returns the plan of a command line. The command runs up to its parts: an error if its words or files are wrong.
     pub(super) fn new(command: Vec<String>) -> Result<Self, Failure> {
         let (own, notes) = (session::files().unwrap_or_default(), SharedFiles::default());
         let surroundings = Surroundings {

@@ -161,7 +161,7 @@ impl RowFile {
         Ok(Self::all(folder)?.iter().filter(|path| !own.contains(*path)).count())
     }
 
-    /// All rows in the folder, of whatever plan.
+    /// Returns the paths of all rows in the folder, those of other plans too.
     fn all(folder: &Path) -> Result<Vec<PathBuf>, Failure> {
         let is_row = |path: &PathBuf| path.extension().is_some_and(|ending| ending == "json");
         Ok(files::listed(&folder.join("rows"))?.into_iter().filter(is_row).collect())
