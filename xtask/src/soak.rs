@@ -20,6 +20,7 @@ use trial::Trial;
 /// Tests whose random cases follow `CDPR_SEED`: parts of their names, as `cargo test` filters them.
 const PROPERTIES: &[&str] = &[
     "no_robot_and_no_numbers_make_the_library_panic",
+    "no_robot_and_no_samples_make_selection_panic",
     "no_numbers_make_the_statics_panic",
     "the_programme_keeps_limits_balances_and_is_nearest",
     "extreme_numbers_are_refused_or_end_in_a_status_that_is_true",

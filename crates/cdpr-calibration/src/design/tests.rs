@@ -26,13 +26,17 @@ fn helicopter() -> Model {
 }
 
 fn settings(count: usize, criterion: DesignCriterion) -> PlanSettings {
-    PlanSettings { count, criterion, repeats: false, starts: 40, seed: 0, fit: Settings::default() }
+    PlanSettings { count, criterion, repeats: false, starts: 10, seed: 0, fit: Settings::default() }
 }
 
 fn of_grid(count: usize, criterion: DesignCriterion) -> (Plan, Vec<usize>) {
+    of_grid_by(&settings(count, criterion))
+}
+
+fn of_grid_by(settings: &PlanSettings) -> (Plan, Vec<usize>) {
     let model = helicopter();
     let candidates = Candidates::new(&model, &grid(), 1, SensorSigmas::default()).unwrap();
-    let found = plan(&model, &candidates, None, &"frame-anchor".parse().unwrap(), &settings(count, criterion)).unwrap();
+    let found = plan(&model, &candidates, None, &"frame-anchor".parse().unwrap(), settings).unwrap();
     let mut numbers: Vec<usize> = found.chosen.iter().map(|place| place + 1).collect();
     numbers.sort_unstable();
     (found, numbers)
@@ -75,7 +79,9 @@ fn sixteen_best_poses_are_as_good_as_known() {
 /// Every criterion is best by its own measure.
 #[test]
 fn each_criterion_is_best_by_its_own_measure() {
-    let all: Vec<Plan> = DesignCriterion::ALL.iter().copied().map(|criterion| of_grid(12, criterion).0).collect();
+    // one start by way of each smooth measure
+    let by = |criterion| PlanSettings { starts: 4, ..settings(12, criterion) };
+    let all: Vec<Plan> = DesignCriterion::ALL.iter().map(|&criterion| of_grid_by(&by(criterion)).0).collect();
     // rounding of the held directions
     let tolerance = 1e-7;
     for other in &all {

@@ -146,6 +146,13 @@ struct Input {
     sigmas: [f64; 4],
 }
 
+impl Input {
+    fn pose(&self) -> Pose {
+        let turned = Twist::new(0.0, 0.0, 0.0, self.turn[0], self.turn[1], self.turn[2]);
+        Pose { position: self.position, ..Pose::identity() }.displaced(&turned)
+    }
+}
+
 fn input() -> impl Strategy<Value = Input> {
     let list = || prop::collection::vec(number(), 0..10);
     let wrench = [number(), number(), number(), number(), number(), number()];
@@ -153,6 +160,9 @@ fn input() -> impl Strategy<Value = Input> {
     (vector(), vector(), [list(), list(), list()], wrench, sigmas)
         .prop_map(|(position, turn, lists, wrench, sigmas)| Input { position, turn, lists, wrench, sigmas })
 }
+
+const COMPOSITIONS: [Composition; 4] =
+    [Composition::STANDARD, Composition::PULLEY, Composition::ELASTIC, Composition::PULLEY_ELASTIC];
 
 /// A list of the length asked for most of the time: short ones are filled up, a few stay wrong.
 fn fitted(list: &[f64], count: usize, filling: f64) -> Vec<f64> {
@@ -164,14 +174,13 @@ fn fitted(list: &[f64], count: usize, filling: f64) -> Vec<f64> {
 }
 
 fn exercise(robot: &Robot, input: &Input) {
-    let Input { position, turn, lists, wrench, sigmas } = input;
+    let Input { turn, lists, wrench, .. } = input;
     robot.warnings();
-    let turned = Twist::new(0.0, 0.0, 0.0, turn[0], turn[1], turn[2]);
-    let pose = Pose { position: *position, ..Pose::identity() }.displaced(&turned);
+    let pose = input.pose();
     let home = robot.home_or_middle();
     let axes = vec![(lists[0].first().copied().unwrap_or(0.1), *turn); robot.cables.len()];
     let _ = place_pulleys(robot, &axes, &pose);
-    for composition in [Composition::STANDARD, Composition::PULLEY, Composition::ELASTIC, Composition::PULLEY_ELASTIC] {
+    for composition in COMPOSITIONS {
         let Ok(model) = Model::new(robot.clone(), composition) else { continue };
         let m = model.cable_count();
         let (lengths, tensions) = (fitted(&lists[0], m, 5.0), fitted(&lists[1], m, 1000.0));
@@ -217,7 +226,7 @@ fn exercise(robot: &Robot, input: &Input) {
             }
         }
         drive(robot, &model, input, &pose, &home);
-        learn(&model, input, &pose, sigmas);
+        learn(&model, input, &pose);
     }
 }
 
@@ -233,11 +242,11 @@ fn drive(robot: &Robot, model: &Model, input: &Input, pose: &Pose, home: &Pose) 
     }
 }
 
-/// Identification, evaluation and selection from samples around a pose.
-fn learn(model: &Model, input: &Input, pose: &Pose, sigmas: &[f64; 4]) {
+/// Samples around a pose, with the tensions and standard deviations of the input.
+fn samples_around(model: &Model, input: &Input, pose: &Pose) -> Samples {
     let m = model.cable_count();
     let mut samples = Samples { cable_count: m, tensions: Some(Vec::new()), ..Samples::default() };
-    let stated = |k: usize| (sigmas[k] > 1.0).then_some(sigmas[k]);
+    let stated = |k: usize| (input.sigmas[k] > 1.0).then_some(input.sigmas[k]);
     samples.sigmas = SensorSigmas {
         position: stated(0),
         rotation: stated(1),
@@ -258,19 +267,33 @@ fn learn(model: &Model, input: &Input, pose: &Pose, sigmas: &[f64; 4]) {
             tensions.resize(samples.poses.len() * m, 1000.0);
         }
     }
+    samples
+}
+
+fn fit_settings() -> fit::Settings {
+    let priors = vec![Prior { kind: ParameterKind::PlatformAnchor, sigma: 0.02 }];
+    fit::Settings { priors, starts: 2, max_iterations: 20, ..fit::Settings::default() }
+}
+
+/// Evaluation and identification.
+fn learn(model: &Model, input: &Input, pose: &Pose) {
+    let samples = samples_around(model, input, pose);
     let _ = samples.check();
     let _ = evaluate(model, &samples).map(|evaluation| evaluation.blocks());
-    let priors = vec![Prior { kind: ParameterKind::PlatformAnchor, sigma: 0.02 }];
-    let settings = fit::Settings { priors, starts: 2, max_iterations: 20, ..fit::Settings::default() };
     for free in ["frame-anchor,length-offset", "frame-anchor,platform-anchor,compliance,wrench", "length-scale"] {
         if let Ok(free) = free.parse() {
-            let _ = fit::fit(model, &samples, &free, &settings);
+            let _ = fit::fit(model, &samples, &free, &fit_settings());
         }
     }
+}
+
+/// Selection among candidates of the default ladder: every eleventh, from the one given.
+fn choose(model: &Model, input: &Input, first: usize) {
+    let samples = samples_around(model, input, &input.pose());
     let ladder = Ladder { tensions: KnownTensions::Recorded, platform_anchors: PlatformAnchors::Free };
-    let candidates: Vec<_> = defaults(model.robot(), ladder).into_iter().step_by(3).collect();
+    let candidates: Vec<_> = defaults(model.robot(), ladder).into_iter().skip(first).step_by(11).collect();
     if let Ok(folds) = Split::Blocks(2).folds(&samples, 1) {
-        let settings = selection::Settings { fit: settings, ..selection::Settings::default() };
+        let settings = selection::Settings { fit: fit_settings(), ..selection::Settings::default() };
         let _ = select(model.robot(), &candidates, &samples, &folds, &settings, &unobserved);
     }
 }
@@ -285,5 +308,24 @@ proptest! {
         input in input(),
     ) {
         exercise(&faults.iter().fold(robot, apply), &input);
+    }
+}
+
+proptest! {
+    // a selection takes as long as all the rest together
+    #![proptest_config(property::cases(16))]
+
+    #[test]
+    fn no_robot_and_no_samples_make_selection_panic(
+        robot in prop::sample::select(robots()),
+        faults in prop::collection::vec(fault(), 0..4),
+        input in input(),
+        composition in prop::sample::select(COMPOSITIONS.to_vec()),
+        first in 0..11_usize,
+    ) {
+        let robot = faults.iter().fold(robot, apply);
+        if let Ok(model) = Model::new(robot, composition) {
+            choose(&model, &input, first);
+        }
     }
 }
