@@ -8,8 +8,8 @@ use std::hint::black_box;
 use cdpr::geometry::{Pose, Twist};
 use cdpr::model::{Composition, Model, place_pulleys};
 use cdpr::nalgebra::{Matrix3, Quaternion, UnitQuaternion, Vector3};
-use cdpr::plant::{Command, Inertia, Plant, Winches};
-use cdpr::robot::{Body, Robot};
+use cdpr::plant::{Command, Inertia, Plant, PlantState, Winches};
+use cdpr::robot::{Body, Cable, Robot};
 use cdpr::statics::Load;
 use criterion::Criterion;
 
@@ -60,6 +60,37 @@ impl Newcomer {
     }
 }
 
+const ROBOT: &str = include_str!("../../studies/robots/simulator-in-motion.toml");
+
+/// What damps: nothing, cables, cables and drums with friction by speed, the same and Coulomb's friction, at which drums switch some sixty times.
+const LET_GO: &[(&str, Winches, fn(&mut Cable))] = &[
+    ("undamped", Winches::Ideal, |cable| cable.damping_time = None),
+    ("damped", Winches::Ideal, |_| {}),
+    ("drums", Winches::Drums, |cable| cable.winch.coulomb_friction = None),
+    ("drums, Coulomb", Winches::Drums, |_| {}),
+];
+
+/// A machine 20 mm and 20 mrad beside its equilibrium, and commands that hold it there.
+fn let_go(plant: &Plant) -> (PlantState, Vec<Command>) {
+    let home = plant.model().robot().home_or_middle();
+    let mut state = plant.at_rest(&home, &BALANCED).expect("a start");
+    let commands = match plant.winches() {
+        Winches::Ideal => {
+            Command::lengths(&state.cables.iter().map(|cable| cable.controlled_length).collect::<Vec<_>>())
+        }
+        Winches::Drums => Command::torques(&plant.holding_torques(&state).expect("torques")),
+    };
+    state.set_pose(home.displaced(&Twist::new(0.02, 0.0, 0.0, 0.0, 0.02, 0.0)));
+    plant.observe(&mut state).expect("a pose");
+    (state, commands)
+}
+
+/// Tensions of that robot that balance its weight (N).
+const BALANCED: [f64; 8] =
+    [4437.939379, 2185.102672, 4635.974809, 1364.885073, 5056.065288, 2250.129390, 5449.229867, 1162.104629];
+
+const TENSIONS: [f64; 8] = [3678.0, 2169.0, 4250.0, 1708.0, 3985.0, 2394.0, 4715.0, 1684.0];
+
 fn main() {
     let mut criterion = Criterion::default().configure_from_args();
     let mut group = criterion.benchmark_group("a step in time");
@@ -72,8 +103,7 @@ fn main() {
         let model = Model::new(robot, composition).expect("a model");
         let plant = Plant::new(model.clone(), Winches::Ideal).expect("a machine");
         let pose = model.robot().home_or_middle();
-        let tensions = [3678.0, 2169.0, 4250.0, 1708.0, 3985.0, 2394.0, 4715.0, 1684.0];
-        let mut state = plant.at_rest(&pose, &tensions).expect("a start");
+        let mut state = plant.at_rest(&pose, &TENSIONS).expect("a start");
         let lengths: Vec<f64> = state.cables.iter().map(|cable| cable.controlled_length).collect();
         group.bench_function(format!("{name}: ours"), |bencher| {
             let commands = Command::lengths(&lengths);
@@ -84,6 +114,21 @@ fn main() {
         let mut now = (pose, Twist::zeros());
         group.bench_function(format!("{name}: newcomer"), |bencher| {
             bencher.iter(|| now = newcomer.step(&now.0, &now.1, black_box(1e-3)));
+        });
+    }
+    group.finish();
+    let mut group = criterion.benchmark_group("two seconds at 1 ms, let go");
+    for (name, winches, change) in LET_GO {
+        let mut robot = Robot::from_toml(ROBOT, "simulator-in-motion.toml").expect("a robot");
+        robot.cables.iter_mut().for_each(change);
+        let plant = Plant::new(Model::new(robot, Composition::ELASTIC).expect("a model"), *winches).expect("a machine");
+        let (start, commands) = let_go(&plant);
+        group.bench_function(*name, |bencher| {
+            bencher.iter(|| {
+                let mut state = start.clone();
+                (0..2000).for_each(|_| plant.step(&mut state, &commands, black_box(1e-3)).expect("a step"));
+                state
+            });
         });
     }
     group.finish();

@@ -20,12 +20,14 @@ const JUDGES: [(&str, &str); 6] = [
 const POSELESS: &str = "judges/self_calibration/judge.py";
 /// Judge of what boxes allow: runs the command on robot files, and searches dense grids itself.
 const CAPABILITY: &str = "judges/capability/judge.py";
+/// Judge of dry friction in motion: runs the command on scenarios of a robot, and integrates them itself from event to event.
+const FRICTION: (&str, &str) = ("judges/friction/judge.py", "studies/robots/simulator-in-motion.toml");
 /// Robot files that come with the command.
 const ROBOTS: &str = "crates/cdpr-model/robots";
 /// The judges that also compare times.
 const TIMED: [&str; 2] = ["judge_motion", "judge_tensions"];
 
-/// Passes when MuJoCo finds our lengths, equilibria and motions, DAQP and SciPy our tensions, SciPy our robust calibrations, least largest errors and fits within bounds, calibrations without poses and what boxes allow, and scikit-learn our paths of a lasso; says why where they cannot be asked. Times
+/// Passes when MuJoCo finds our lengths, equilibria and motions, DAQP and SciPy our tensions, SciPy our robust calibrations, least largest errors and fits within bounds, calibrations without poses, what boxes allow and dry friction in motion, and scikit-learn our paths of a lasso; says why where they cannot be asked. Times
 /// are shown and not judged.
 pub(crate) fn check(root: &Path) -> Outcome {
     all(root, false)
@@ -69,6 +71,9 @@ fn all(root: &Path, with_times: bool) -> Outcome {
             sum.add(poseless_by(root, &python, (&program, &["--ten"])));
             let mut judge = script_of(root, &python, CAPABILITY);
             judge.arg(&program).arg(root.join(ROBOTS));
+            sum.add(verdict(judge));
+            let mut judge = script_of(root, &python, FRICTION.0);
+            judge.arg(&program).arg(root.join(FRICTION.1));
             sum.add(verdict(judge));
         }
         Err(complaint) => sum.add(Outcome::of(vec![complaint])),

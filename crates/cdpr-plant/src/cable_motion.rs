@@ -19,7 +19,7 @@ pub struct CableMotion {
     pub drum_angle: f64,
     /// Speed of the drum (rad/s).
     pub drum_speed: f64,
-    /// True if the drum is held by its own friction.
+    /// True if the drum stands, held by friction, a brake or a stop; its speed is exactly 0 then.
     pub is_stuck: bool,
     /// True if the cable broke.
     pub is_broken: bool,

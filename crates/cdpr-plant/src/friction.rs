@@ -39,6 +39,11 @@ impl Friction {
         self.standing > 0.0 || self.pulley > 0.0
     }
 
+    /// True if the torque in one direction is linear in the speed.
+    pub(super) fn is_linear(&self) -> bool {
+        self.standing <= self.coulomb
+    }
+
     /// Friction torque of a drum at a speed (rad/s), against this direction (N·m).
     #[inline]
     pub(super) fn torque(&self, speed: f64, direction: f64) -> f64 {
@@ -54,14 +59,6 @@ impl Friction {
     #[inline]
     pub(super) fn passed_on(&self, wrap: f64, direction: f64) -> f64 {
         if self.pulley == 0.0 { 1.0 } else { (-self.pulley * wrap * direction.signum()).exp() }
-    }
-
-    /// True if a drum at rest stays at rest, under the torque of its cable's outlet tension and that of its motor
-    /// (N·m).
-    pub(super) fn holds(&self, cable: f64, wrap: f64, motor: f64) -> bool {
-        let out = cable * self.passed_on(wrap, 1.0) - motor;
-        let back = cable * self.passed_on(wrap, -1.0) - motor;
-        out <= self.standing && back >= -self.standing
     }
 
     /// Steepest fall of the torque with speed (N·m·s/rad), at φ̇_s/√2: (T_s − T_c) √(2/e)/φ̇_s.

@@ -82,6 +82,13 @@ impl Inertia {
         rotation * (self.inverse_inertia * (rotation.inverse() * angular))
     }
 
+    /// R I_c⁻¹ Rᵀ, 0 about directions about which the pattern does not turn (world axes).
+    #[inline]
+    pub(super) fn inverse_inertia_at(&self, pose: &Pose) -> Matrix3<f64> {
+        let rotation = pose.rotation_matrix();
+        rotation * self.inverse_inertia * rotation.transpose()
+    }
+
     /// Twist \[v; ω\] of the platform origin (world axes).
     #[inline]
     pub(super) fn twist(&self, pose: &Pose, momentum: &Momentum) -> Twist {

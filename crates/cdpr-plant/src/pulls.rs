@@ -28,6 +28,8 @@ pub(super) struct Pulls {
     whole: Vec<f64>,
     /// Tensions of linear laws (N).
     tensions: Vec<f64>,
+    /// ∂f/∂q of linear laws (N/m).
+    stiffnesses: Vec<f64>,
     /// Wrench of the cables if forces do not depend on speeds.
     rest: Wrench,
     /// \[u; b × u\] (world); if forces do not depend on speeds, those of an earlier pose.
@@ -36,8 +38,14 @@ pub(super) struct Pulls {
     pub(super) wraps: Vec<f64>,
     /// Values of the laws at the lengths and controlled lengths.
     pub(super) laws: Vec<LawPull>,
+    /// True for cables that pull at the start of a piece of a kick.
+    pub(super) pulling: Vec<bool>,
     /// Drums within a step.
     pub(super) drums: Vec<DrumWork>,
+    /// True if a drum has dry friction.
+    pub(super) is_dry: bool,
+    /// True if the motion at a pose is linear in speeds while no cable is clipped.
+    pub(super) is_linear: bool,
     /// State at the start of the stages.
     pub(super) start: Start,
 }
@@ -45,8 +53,12 @@ pub(super) struct Pulls {
 /// Work memory of a drum within a step.
 #[derive(Clone, Copy, Debug, Default, PartialEq)]
 pub(super) struct DrumWork {
-    /// Speed before the step (rad/s).
-    pub(super) before: f64,
+    /// True if a brake or a stop holds it.
+    pub(super) is_held: bool,
+    /// Torque of its motor at the drum (N·m), positive against the cable.
+    pub(super) motor: f64,
+    /// Direction in which it turns or begins to turn: 1 where cable is paid out, −1 where it is reeled in.
+    pub(super) direction: f64,
     /// ∂q_θ/∂φ at the pose (m/rad).
     pub(super) radius: f64,
     /// Speed at the stage of a kick (rad/s).
@@ -55,6 +67,10 @@ pub(super) struct DrumWork {
     pub(super) acceleration: f64,
     /// Weighted sum of the stages' accelerations (rad/s²).
     pub(super) sum: f64,
+    /// Term of the series of a kick (rad/s).
+    pub(super) term: f64,
+    /// Speed before a kick (rad/s).
+    pub(super) before: f64,
 }
 
 /// Value of a cable's law at its lengths.
@@ -90,11 +106,15 @@ impl Pulls {
             unstrained: padded(),
             whole: padded(),
             tensions: padded(),
+            stiffnesses: padded(),
             rest: Wrench::zeros(),
             columns: vec![[0.0; 6]; cables],
             wraps: vec![0.0; cables],
             laws: vec![LawPull::NONE; cables],
+            pulling: vec![false; cables],
             drums: vec![DrumWork::default(); drums],
+            is_dry: false,
+            is_linear: true,
             start: Start::new(cables),
         }
     }
@@ -112,7 +132,7 @@ impl Pulls {
         let in_lanes = self.find_lines(plant, pose)? && plant.is_linear;
         for (index, cable) in cables.iter().enumerate() {
             self.laws[index] = match in_lanes {
-                true => plant.linear_pull(index, cable, (self.tensions[index], self.lengths[index])),
+                true => plant.linear_pull(index, cable, (self.tensions[index], self.stiffnesses[index])),
                 false => plant.law_pull(index, cable, self.lengths[index]),
             };
         }
@@ -151,6 +171,7 @@ impl Pulls {
             whole: &self.whole,
             lengths: &mut self.lengths,
             tensions: &mut self.tensions,
+            stiffnesses: &mut self.stiffnesses,
             columns: &mut self.columns[..asked],
         };
         if let Some(wrench) = dispatch_narrow(kernel) {
@@ -232,14 +253,13 @@ pub(super) fn elongation_rate(column: &[f64; 6], twist: &Twist) -> f64 {
 }
 
 impl Plant {
-    /// Value of the law of one straight, linear cable from its tension (N) at a geometric length (m).
+    /// Value of the law of one straight, linear cable from its tension (N) and stiffness (N/m).
     #[inline]
-    fn linear_pull(&self, index: usize, cable: &CableMotion, (tension, length): (f64, f64)) -> LawPull {
-        let damping = &self.damping[index];
-        if cable.is_broken || damping.time != 0.0 {
-            return self.law_pull(index, cable, length);
+    fn linear_pull(&self, index: usize, cable: &CableMotion, (tension, stiffness): (f64, f64)) -> LawPull {
+        if cable.is_broken {
+            return LawPull::NONE;
         }
-        LawPull { tension, weight: 0.0, damping: damping.constant }
+        LawPull { tension, weight: 0.0, damping: self.damping[index].coefficient(stiffness) }
     }
 
     /// Value of the law of one straight cable at a geometric length (m).

@@ -22,6 +22,10 @@ pub(super) struct CableStart {
     pub(super) sum: f64,
     /// The same in the middle of the stages.
     pub(super) middle: f64,
+    /// Margin of the drum (N·m or rad/s), see [`Plant::margin`](super::plant::Plant::margin).
+    pub(super) margin: f64,
+    /// The same in the middle of the stages.
+    pub(super) middle_margin: f64,
 }
 
 impl Start {

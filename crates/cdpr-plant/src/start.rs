@@ -70,6 +70,7 @@ impl Plant {
             cables,
         };
         self.observe(&mut state)?;
+        self.hold_by_motors(&mut state)?;
         Ok(state)
     }
 

@@ -3,12 +3,11 @@
 //! H = T(p, L) + V(x, R): forces at a fixed pose change the momentum (a *kick*), and the free body moves with it (a
 //! *drift*, exact to rounding). Seven kicks and six drifts, symmetric, make a step of order four that is symplectic
 //! (Blanes and Moan 2002, SRKN₆ᵇ); the last kick of a step and the first of the next one have the same pose, so that a
-//! step evaluates the cables six times. Dampers and friction act within the kicks, which then follow the classical
-//! Runge–Kutta rule at the fixed pose.
+//! step evaluates the cables six times. Dampers and friction act within the [kicks](super::kicks).
 
 use super::command::Command;
 use super::error::StepError;
-use super::momentum::{LARGEST_TURN, Momentum};
+use super::momentum::LARGEST_TURN;
 use super::plant::Plant;
 use super::state::PlantState;
 
@@ -27,6 +26,8 @@ const MIDDLE: usize = 3;
 /// Excess by which a constant acceleration has moved the pose of the middle kick, over the acceleration and the square
 /// of the step.
 pub(super) const MIDDLE_AHEAD: f64 = B1 * 0.5 + B2 * (0.5 - A1) + B3 * (0.5 - A1 - A2) - 0.125;
+/// The same of a speed in the middle: excess for a force that grows steadily, over the second derivative of the speed and the square of the step.
+pub(super) const SPEED_AHEAD: f64 = -MIDDLE_AHEAD;
 
 impl Plant {
     /// Advances a state by a time (s) under commands, one per cable. Allocates no memory.
@@ -39,7 +40,7 @@ impl Plant {
             return Err(StepError::Spin { turn });
         }
         self.prepare(state, commands, time)?;
-        self.pass_kinks(state, commands, time)?;
+        self.pass_cuts(state, time)?;
         self.finish(state);
         state.time += time;
         match state.is_finite() {
@@ -50,13 +51,13 @@ impl Plant {
 
     /// Runs kicks and drifts over a time (s).
     #[inline]
-    pub(super) fn stages(&self, state: &mut PlantState, commands: &[Command], time: f64) -> Result<(), StepError> {
+    pub(super) fn stages(&self, state: &mut PlantState, time: f64) -> Result<(), StepError> {
         for (index, (kick, drift)) in STAGES.into_iter().enumerate() {
             if index == MIDDLE && self.dissipates {
                 state.pulls.find(self, &state.pose, &mut state.cables)?;
                 self.note_middle(state, |_, before| before);
             }
-            self.kick(state, commands, kick * time)?;
+            self.kick(state, kick * time)?;
             if index == MIDDLE {
                 // half of the kick lies before the middle
                 let fraction = if self.dissipates { 0.5 } else { 0.0 };
@@ -64,20 +65,26 @@ impl Plant {
             }
             self.drift(state, drift * time)?;
         }
-        self.kick(state, commands, B1 * time)
+        self.kick(state, B1 * time)
     }
 
-    /// Updates the middle value of every cable from the noted value and the present sum of law and damper (N).
+    /// Updates the middle values of every cable from the noted ones and the present ones.
     #[inline]
     fn note_middle(&self, state: &mut PlantState, note: impl Fn(f64, f64) -> f64) {
+        let twist = self.twist_if_asked(state);
         for cable in 0..state.cables.len() {
-            let now = self.unclipped(state, cable);
+            let now = self.unclipped(state, cable, &twist);
             let middle = &mut state.pulls.start.cables[cable].middle;
             *middle = note(*middle, now);
+            if state.pulls.is_dry {
+                let now = self.margin(state, cable, &twist);
+                let middle = &mut state.pulls.start.cables[cable].middle_margin;
+                *middle = note(*middle, now);
+            }
         }
     }
 
-    /// Determines the speeds of ideal winches over the step, and which drums are held by friction.
+    /// Determines the speeds of ideal winches over the step, or which drums stand still.
     pub(super) fn prepare(&self, state: &mut PlantState, commands: &[Command], time: f64) -> Result<(), StepError> {
         if !self.drums.is_empty() {
             return self.prepare_drums(state, commands);
@@ -95,44 +102,14 @@ impl Plant {
         Ok(())
     }
 
-    /// Sets ideal winches to their commanded lengths, and stops drums that came to rest within the step.
+    /// Sets ideal winches to their commanded lengths.
     pub(super) fn finish(&self, state: &mut PlantState) {
         if !self.drums.is_empty() {
-            return self.finish_drums(state);
+            return;
         }
         for (cable, end) in state.cables.iter_mut().zip(&state.pulls.ends) {
             cable.controlled_length = *end;
         }
-    }
-
-    /// Applies the forces at the pose for a time (s).
-    #[inline]
-    fn kick(&self, state: &mut PlantState, commands: &[Command], time: f64) -> Result<(), StepError> {
-        state.pulls.find(self, &state.pose, &mut state.cables)?;
-        let load = state.load(self);
-        if !self.drums.is_empty() {
-            return self.kick_drums(state, commands, &load, time);
-        }
-        let center = state.inertia.center(&state.pose);
-        if !self.dissipates {
-            let rate = state.inertia.rate(&center, &(state.pulls.wrench_at_rest() + load));
-            state.momentum = added(&state.momentum, &rate, time);
-            return Ok(());
-        }
-        let (pulls, cables, inertia) = (&state.pulls, &state.cables, &state.inertia);
-        let rate = |momentum: &Momentum| {
-            let twist = inertia.twist(&state.pose, momentum);
-            let wrench = pulls.wrench(&twist, |cable| cables[cable].controlled_length_rate) + load;
-            inertia.rate(&center, &(wrench + inertia.drag(&twist)))
-        };
-        let start = state.momentum;
-        let first = rate(&start);
-        let second = rate(&added(&start, &first, 0.5 * time));
-        let third = rate(&added(&start, &second, 0.5 * time));
-        let fourth = rate(&added(&start, &third, time));
-        let sum = added(&added(&first, &second, 2.0), &added(&fourth, &third, 2.0), 1.0);
-        state.momentum = added(&start, &sum, time / 6.0);
-        Ok(())
     }
 
     /// Moves the free body and the winches for a time (s).
@@ -168,10 +145,4 @@ impl Plant {
         }
         Ok(())
     }
-}
-
-/// a + s b.
-#[inline]
-pub(super) fn added(a: &Momentum, b: &Momentum, fraction: f64) -> Momentum {
-    Momentum { linear: a.linear + b.linear * fraction, angular: a.angular + b.angular * fraction }
 }

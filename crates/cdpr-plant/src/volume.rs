@@ -32,7 +32,7 @@ impl Volume {
         let (steps, every) = grid(time);
         let (duration, record_interval) = (time.duration_s, every as f64 * time.step_s);
         let mut volume = Self { duration, record_interval, log_rows: 1 + steps.div_ceil(every), rows: 0, bytes: 0 };
-        volume.add(volume.log_rows, LogFormat::new(&plant.model).column_count());
+        volume.add(volume.log_rows, LogFormat::new(plant).column_count());
         for (rate, columns) in sensors.iter().flat_map(|sensors| sensors.rates(&plant.model)) {
             volume.add(1 + (rate * duration).min(steps as f64) as u64, columns);
         }

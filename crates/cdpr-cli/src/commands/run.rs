@@ -69,7 +69,7 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let of_sensors = SENSORS.iter().map(|sensor| sensor.file).chain([SIDECAR]);
     RESULTS.into_iter().chain(of_sensors).try_for_each(|name| files::remove(&at(name)))?;
     let progress = Progress::spinner("moving");
-    let format = LogFormat::new(simulation.plant.model());
+    let format = LogFormat::new(&simulation.plant);
     let robot = simulation.plant.model().robot().clone();
     let mut recording = Recording::new(&robot);
     let mut log = GrowingFile::make(&at(LOG))?;

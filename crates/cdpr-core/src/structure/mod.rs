@@ -99,6 +99,8 @@ pub struct Pulls<'a> {
     pub lengths: &'a mut [f64],
     /// Tensions (N).
     pub tensions: &'a mut [f64],
+    /// ∂f/∂q (N/m).
+    pub stiffnesses: &'a mut [f64],
     /// \[u; b × u\] of every cable (world), m columns; empty if they are not needed.
     pub columns: &'a mut [[f64; 6]],
 }
@@ -116,10 +118,11 @@ impl Kernel for Pulls<'_> {
             let cables = group.checked_paths(lanes, self.position, self.rotation);
             needs_scalar = needs_scalar + cables.needs_scalar;
             let length = cables.path.length;
-            let tension = group.elasticity(lanes).tension(length, lanes.load(&self.unstrained[start..])).value;
+            let tension = group.elasticity(lanes).tension(length, lanes.load(&self.unstrained[start..]));
             length.store(&mut self.lengths[start..]);
-            tension.store(&mut self.tensions[start..]);
-            let pull = tension.max(zero) * lanes.load(&self.whole[start..]);
+            tension.value.store(&mut self.tensions[start..]);
+            tension.by_length.store(&mut self.stiffnesses[start..]);
+            let pull = tension.value.max(zero) * lanes.load(&self.whole[start..]);
             let rows = wrench(cables.moment_arm, cables.path.direction);
             for row in 0..6 {
                 sum[row] = sum[row] + pull * rows[row];

@@ -155,7 +155,7 @@ fn acceleration_and_wrench_are_inverse_to_each_other_and_to_the_motion() {
     let h = 1e-4; // truncation ~ h², rounding ~ ε/h
     let side = |h: f64| {
         let rate = inertia.rate(&inertia.center(&state.pose), &wrench);
-        let momentum = super::super::step::added(&state.momentum, &rate, h);
+        let momentum = super::super::kicks::added(&state.momentum, &rate, h);
         inertia.twist(&inertia.drift(&state.pose, &state.momentum, h).unwrap(), &momentum)
     };
     let slope = (side(h) - side(-h)) / (2.0 * h);

@@ -23,7 +23,7 @@ fn excursion(size: f64, damping: f64, step: f64) -> (f64, f64, f64) {
     let (mut least, mut from, mut until) = (f64::MAX, f64::MAX, 0.0);
     for index in 1..=(0.12_f64 / step).round() as usize {
         hold(&plant, &mut state, step, 1);
-        let sums = (0..8).map(|cable| plant.unclipped(&state, cable));
+        let sums = (0..8).map(|cable| plant.unclipped(&state, cable, &state.twist()));
         let low = sums.fold(f64::MAX, f64::min);
         least = f64::min(least, low);
         if low < 0.0 {
@@ -66,7 +66,7 @@ fn a_cable_that_is_slack_within_one_step_only_is_seen() {
                 true => plant.step(&mut state, &command, 1e-3).unwrap(),
                 false => {
                     plant.prepare(&mut state, &command, 1e-3).unwrap();
-                    plant.stages(&mut state, &command, 1e-3).unwrap();
+                    plant.stages(&mut state, 1e-3).unwrap();
                     plant.observe(&mut state).unwrap();
                 }
             }

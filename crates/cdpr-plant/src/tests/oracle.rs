@@ -101,7 +101,7 @@ fn a_step_agrees_with_an_integrator_that_controls_its_error() {
         for _ in 0..(1.0_f64 / step).round() as usize {
             let command = Command::lengths(&lengths);
             plant.prepare(&mut uncut, &command, step).unwrap();
-            plant.stages(&mut uncut, &command, step).unwrap();
+            plant.stages(&mut uncut, step).unwrap();
             plant.finish(&mut uncut);
         }
         let over = apart(&expected, &uncut.pose);
