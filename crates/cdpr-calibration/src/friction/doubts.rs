@@ -18,6 +18,9 @@ const UNITS: [(f64, &str); 4] = [
     (1e-3, "mrad/s"),
 ];
 
+/// Misfit that is not to be trusted: of the standard errors of plateaus, and of Coulomb friction.
+const MISFIT: (f64, f64) = (5.0, 0.5);
+
 /// Standard deviations from which on directions differ.
 const DIFFER: f64 = 4.0;
 
@@ -33,6 +36,7 @@ impl Solution {
         }
         doubts.extend(self.unit());
         doubts.extend(self.sign());
+        doubts.extend(self.misfit());
         if self.is_determined() {
             let main = [Quantity::Load, Quantity::Coulomb, Quantity::Viscous];
             for open in self.undetermined.iter().filter(|open| main.contains(&open.quantity)) {
@@ -112,6 +116,25 @@ impl Solution {
                 shown(&figure)
             );
             Finding::new(FindingKind::Load, Severity::Caution, text).into()
+        })
+    }
+
+    /// Plateaus that no law of one load follows, by what their samples say about their means.
+    fn misfit(&self) -> Option<Doubt> {
+        let used = || self.plateaus.iter().filter(|own| !own.is_outlier);
+        let squares: Vec<f64> =
+            used().filter_map(|own| own.plateau.standard_error).map(|error| error * error).collect();
+        if squares.len() < used().count() || self.freedom == 0 {
+            return None;
+        }
+        let expected = (squares.iter().sum::<f64>() / squares.len() as f64).sqrt();
+        let friction = self.loads.iter().filter_map(|load| load.coulomb).map(|own| own.value.abs()).fold(0.0, f64::max);
+        (self.rms > MISFIT.0 * expected && self.rms > MISFIT.1 * friction).then(|| {
+            let words = format!(
+                "not to be trusted: plateaus are {:.4} N·m (rms) from the law, {:.0} times what their samples let expect, and as much as friction itself ({friction:.4} N·m): rows of different loads without load_Nm, or a load that changes on the way, or torques that are commanded and not needed",
+                self.rms, self.rms / expected
+            );
+            Doubt::new(DoubtKind::Law, words)
         })
     }
 

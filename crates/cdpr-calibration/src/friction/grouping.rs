@@ -1,6 +1,7 @@
 //! Which rows have the same load.
 
 use super::Record;
+use super::law::Hung;
 use super::least_squares::{Fit, SAME};
 
 /// Given torques that differ by less than this share of the largest are one load.
@@ -36,6 +37,11 @@ impl Grouping {
     /// Load of a row.
     pub(super) fn group(&self, record: usize, row: usize) -> usize {
         self.rows[record][row]
+    }
+
+    /// A load as the law takes it.
+    pub(super) fn hung(&self, group: usize) -> Hung {
+        Hung { group, given: self.loads[group].torque.unwrap_or(0.0) }
     }
 
     /// True for loads of which a fit says that they differ.

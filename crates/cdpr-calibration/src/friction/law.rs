@@ -17,6 +17,13 @@ pub(super) struct Law {
     pub(super) by_direction: bool,
 }
 
+/// A load: its number, and its given torque (N·m; 0 if none is given).
+#[derive(Clone, Copy, Debug)]
+pub(super) struct Hung {
+    pub(super) group: usize,
+    pub(super) given: f64,
+}
+
 impl Law {
     /// Parameters of the loads.
     pub(super) fn load_count(&self) -> usize {
@@ -55,30 +62,29 @@ impl Law {
     }
 
     /// Load torque of a load (N·m), and its derivatives by the parameters.
-    pub(super) fn load(&self, group: usize, given: f64, parameters: &[f64], gradient: &mut [f64]) -> f64 {
+    pub(super) fn load(&self, hung: Hung, parameters: &[f64], gradient: &mut [f64]) -> f64 {
         if self.is_scaled {
-            gradient[0] = given;
+            gradient[0] = hung.given;
             gradient[1] = 1.0;
-            return parameters[0] * given + parameters[1];
+            return parameters[0] * hung.given + parameters[1];
         }
-        gradient[group] = 1.0;
-        parameters[group]
+        gradient[hung.group] = 1.0;
+        parameters[hung.group]
     }
 
     /// Friction torque in the direction of motion (N·m) at a speed, and its derivatives, at a load.
-    pub(super) fn friction(&self, place: (usize, f64), speed: f64, parameters: &[f64], gradient: &mut [f64]) -> f64 {
-        let (group, given) = place;
+    pub(super) fn friction(&self, hung: Hung, speed: f64, parameters: &[f64], gradient: &mut [f64]) -> f64 {
         let (coulomb, viscous) = (self.coulomb(), self.viscous());
         let mut torque = parameters[coulomb] + parameters[viscous] * speed.abs();
         gradient[coulomb] = 1.0;
         gradient[viscous] = speed.abs();
         if let Some(growth) = self.growth() {
             // by the torque that is given, or by the fitted one, which is a parameter itself
-            let load = if self.is_scaled { given } else { parameters[group] };
+            let load = if self.is_scaled { hung.given } else { parameters[hung.group] };
             torque += parameters[growth] * load;
             gradient[growth] = load;
             if !self.is_scaled {
-                gradient[group] = parameters[growth];
+                gradient[hung.group] = parameters[growth];
             }
         }
         if let Some(excess) = self.excess() {
@@ -97,10 +103,10 @@ impl Law {
 
     /// Torque of the motor at a plateau (N·m), and its derivatives.
     pub(super) fn torque(&self, plateau: &Plateau, parameters: &[f64], gradient: &mut [f64]) -> f64 {
-        let given = plateau.load.unwrap_or(0.0);
+        let hung = Hung { group: plateau.group, given: plateau.load.unwrap_or(0.0) };
         let (mut by_load, mut by_friction) = (vec![0.0; self.count()], vec![0.0; self.count()]);
-        let load = self.load(plateau.group, given, parameters, &mut by_load);
-        let friction = self.friction((plateau.group, given), plateau.speed, parameters, &mut by_friction);
+        let load = self.load(hung, parameters, &mut by_load);
+        let friction = self.friction(hung, plateau.speed, parameters, &mut by_friction);
         let sign = plateau.speed.signum();
         for ((out, load), friction) in gradient.iter_mut().zip(by_load).zip(by_friction) {
             *out = load + sign * friction;

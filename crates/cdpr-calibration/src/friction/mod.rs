@@ -34,6 +34,7 @@ pub use reasons::{Quantity, Undetermined};
 pub use record::Record;
 #[cfg(feature = "files")]
 pub use record_file::RecordReading;
+use solution::Fitted;
 pub use solution::{ByDirection, Figure, HangingLoad, Judged, Solution};
 
 /// Torques that differ by less than this share of the largest do not differ.
@@ -106,11 +107,15 @@ pub fn identify(records: &[Record]) -> Result<Solution, InputError> {
         let base = fit(&grouping, &rows);
         let stribeck = stribeck::judge(&base, &rows, least);
         let chosen = stribeck.fit.as_ref().unwrap_or(&base);
-        match outliers::farthest(chosen, &rows, (all - kept.len(), all), least) {
+        let is_full = (all - kept.len() + 1) as f64 > outliers::MOST * all as f64;
+        match outliers::farthest(chosen, &rows, least).filter(|_| !is_full) {
             Some(row) => {
                 kept.remove(row);
             }
-            None => return Ok(solution::assemble(records, &grouping, &plateaus, (&kept, &base, &stribeck))),
+            None => {
+                let fitted = Fitted { kept: &kept, base: &base, judged: &stribeck };
+                return Ok(solution::assemble(&grouping, &plateaus, &fitted));
+            }
         }
     }
 }

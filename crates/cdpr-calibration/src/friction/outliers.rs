@@ -7,15 +7,15 @@ use super::plateaus::Plateau;
 const FAR: f64 = 4.3;
 
 /// Share of the plateaus that may be outliers.
-const MOST: f64 = 0.2;
+pub(super) const MOST: f64 = 0.2;
 
 /// Plateaus beyond the rank that judge one.
 const FEWEST: usize = 4;
 
-/// The plateau that lies farthest off, if that is no chance; none where `left_out` are already too many of `all`.
-pub(super) fn farthest(fit: &Fit, plateaus: &[&Plateau], (left_out, all): (usize, usize), least: f64) -> Option<usize> {
+/// The plateau that lies farthest off, if that is no chance.
+pub(super) fn farthest(fit: &Fit, plateaus: &[&Plateau], least: f64) -> Option<usize> {
     let count = plateaus.len();
-    if count < fit.rank + FEWEST || (left_out + 1) as f64 > MOST * all as f64 || fit.squares() <= least {
+    if count < fit.rank + FEWEST || fit.squares() <= least {
         return None;
     }
     let freedom = (count - fit.rank) as f64;

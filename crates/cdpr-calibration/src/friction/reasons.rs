@@ -1,9 +1,10 @@
 //! What records leave open, and why.
 
 use super::grouping::Grouping;
+use super::grouping::Hanging;
 use super::plateaus::Plateau;
 use super::solution::{Figure, Solution, Weighed};
-use super::{Record, stribeck};
+use super::stribeck;
 
 /// Numbers of the answer.
 #[derive(Clone, Copy, Debug, PartialEq, Eq, PartialOrd, Ord)]
@@ -62,88 +63,95 @@ pub(super) fn mean_coulomb(weighed: &Weighed<'_>, grouping: &Grouping, plateaus:
     let of = |group: usize| plateaus.iter().filter(move |plateau| plateau.group == group);
     groups.sort_by_key(|&group| std::cmp::Reverse(of(group).count()));
     groups.retain(|&group| of(group).count() > 0);
-    let given = |group: usize| grouping.loads[group].torque.unwrap_or(0.0);
     let under = |&group: &usize| {
-        let (value, gradient) = weighed.coulomb(group, given(group));
+        let (value, gradient) = weighed.coulomb(grouping.hung(group));
         weighed.figure(value, &gradient)
     };
     let at = |&group: &usize| {
         let mean = of(group).map(|plateau| plateau.speed.abs()).sum::<f64>() / of(group).count() as f64;
-        weighed.friction(group, given(group), mean)
+        weighed.friction(grouping.hung(group), mean)
     };
     groups.iter().find_map(under).or_else(|| groups.iter().find_map(at))
 }
 
-/// All quantities that are open.
-pub(super) fn reasons(
-    solution: &Solution,
-    weighed: &Weighed<'_>,
-    grouping: &Grouping,
-    (plateaus, judged, records): (&[&Plateau], &stribeck::Judged, &[Record]),
-) -> Vec<Undetermined> {
-    let mut all = Vec::new();
-    let mut open = |quantity: Quantity, reason: String| all.push(Undetermined { quantity, reason });
-    let law = weighed.fit.law;
-    if let Some(reason) = no_load(solution, weighed, grouping, plateaus, records) {
-        if solution.loads.iter().any(|load| load.torque.is_none()) {
-            open(Quantity::Load, reason.clone());
+/// A fit of which is asked what it leaves open.
+pub(super) struct Asked<'a> {
+    pub(super) solution: &'a Solution,
+    pub(super) weighed: &'a Weighed<'a>,
+    pub(super) grouping: &'a Grouping,
+    pub(super) plateaus: &'a [&'a Plateau],
+    pub(super) judged: &'a stribeck::Judged,
+}
+
+impl Asked<'_> {
+    /// All quantities that are open.
+    pub(super) fn reasons(&self) -> Vec<Undetermined> {
+        let Self { solution, weighed, grouping, .. } = *self;
+        let mut all = Vec::new();
+        let mut open = |quantity: Quantity, reason: String| all.push(Undetermined { quantity, reason });
+        let law = weighed.fit.law;
+        if let Some(reason) = no_load(self) {
+            if solution.loads.iter().any(|load| load.torque.is_none()) {
+                open(Quantity::Load, reason.clone());
+            }
+            if solution.coulomb.is_none() {
+                open(Quantity::Coulomb, reason);
+            }
         }
-        if solution.coulomb.is_none() {
-            open(Quantity::Coulomb, reason);
-        }
-    }
-    let speeds = solution.speeds.unwrap_or_default();
-    let range = match speeds {
-        [0.0, 0.0] => "no row moves".to_owned(),
-        [low, high] if high - low <= super::least_squares::SAME * high => {
-            format!("all plateaus have one speed, {high:.4} rad/s")
-        }
-        [low, high] => {
-            format!("speeds of {low:.4} to {high:.4} rad/s stand with directions and loads that differ as they do")
-        }
-    };
-    let coulomb_is_open = law_open(weighed, law.coulomb());
-    if solution.viscous.is_none() {
-        let whole = if solution.coulomb.is_some() { "; coulomb_Nm is the whole friction at this speed" } else { "" };
-        open(
-            Quantity::Viscous,
-            format!(
-                "{range}: friction by speed cannot be told from dry friction{whole}. Record each direction at two speeds or more, one of them three times the other"
-            ),
-        );
-        if coulomb_is_open && solution.coulomb.is_some() {
-            open(
-                Quantity::Coulomb,
-                format!("{range}: what coulomb_Nm tells is dry friction and friction by speed together"),
-            );
-        }
-    }
-    if solution.coulomb_by_load.is_none() {
-        let reason = match (grouping.loads.len(), law.by_load) {
-            (1, _) => "the records have one load: coulomb_Nm is that under this load. Record another one, three times as heavy or a third".to_owned(),
-            (_, false) => "the loads of the records do not differ: coulomb_Nm is that under them. Record loads that differ by a factor of two or more".to_owned(),
-            (_, true) => "not each of two loads was lifted and lowered at speeds that they share: growth with the load cannot be told from the rest".to_owned(),
+        let speeds = solution.speeds.unwrap_or_default();
+        let range = match speeds {
+            [0.0, 0.0] => "no row moves".to_owned(),
+            [low, high] if high - low <= super::least_squares::SAME * high => {
+                format!("all plateaus have one speed, {high:.4} rad/s")
+            }
+            [low, high] => {
+                format!("speeds of {low:.4} to {high:.4} rad/s stand with directions and loads that differ as they do")
+            }
         };
-        open(Quantity::CoulombByLoad, reason);
+        let coulomb_is_open = law_open(weighed, law.coulomb());
+        if solution.viscous.is_none() {
+            let whole =
+                if solution.coulomb.is_some() { "; coulomb_Nm is the whole friction at this speed" } else { "" };
+            open(
+                Quantity::Viscous,
+                format!(
+                    "{range}: friction by speed cannot be told from dry friction{whole}. Record each direction at two speeds or more, one of them three times the other"
+                ),
+            );
+            if coulomb_is_open && solution.coulomb.is_some() {
+                open(
+                    Quantity::Coulomb,
+                    format!("{range}: what coulomb_Nm tells is dry friction and friction by speed together"),
+                );
+            }
+        }
+        if solution.coulomb_by_load.is_none() {
+            let reason = match (grouping.loads.len(), law.by_load) {
+                (1, _) => "the records have one load: coulomb_Nm is that under this load. Record another one, three times as heavy or a third".to_owned(),
+                (_, false) => "the loads of the records do not differ: coulomb_Nm is that under them. Record loads that differ by a factor of two or more".to_owned(),
+                (_, true) => "not each of two loads was lifted and lowered at speeds that they share: growth with the load cannot be told from the rest".to_owned(),
+            };
+            open(Quantity::CoulombByLoad, reason);
+        }
+        if grouping.is_given && solution.load_scale.is_none() {
+            let reason = "load torques are fitted by scale and offset where two given loads or more were lifted and lowered; of one load their sum is told, load_Nm";
+            open(Quantity::LoadScale, reason.to_owned());
+            open(Quantity::LoadOffset, reason.to_owned());
+        }
+        let differ = "Coulomb friction that is larger by d while lifting and smaller by d while lowering is a load torque larger by d: the fitted load takes it, coulomb_Nm is the mean of both directions";
+        let differ = if grouping.is_given {
+            format!("{differ}; loads[] tells both directions as they are if load_Nm is exact")
+        } else {
+            differ.to_owned()
+        };
+        open(Quantity::CoulombByDirection, differ);
+        if solution.standing.is_none() {
+            let reason = no_stribeck(solution, self.judged);
+            open(Quantity::Static, reason.clone());
+            open(Quantity::StribeckSpeed, reason);
+        }
+        all
     }
-    if grouping.is_given && solution.load_scale.is_none() {
-        let reason = "load torques are fitted by scale and offset where two given loads or more were lifted and lowered; of one load their sum is told, load_Nm";
-        open(Quantity::LoadScale, reason.to_owned());
-        open(Quantity::LoadOffset, reason.to_owned());
-    }
-    let differ = "Coulomb friction that is larger by d while lifting and smaller by d while lowering is a load torque larger by d: the fitted load takes it, coulomb_Nm is the mean of both directions";
-    let differ = if grouping.is_given {
-        format!("{differ}; loads[] tells both directions as they are if load_Nm is exact")
-    } else {
-        differ.to_owned()
-    };
-    open(Quantity::CoulombByDirection, differ);
-    if solution.standing.is_none() {
-        let reason = no_stribeck(solution, judged);
-        open(Quantity::Static, reason.clone());
-        open(Quantity::StribeckSpeed, reason);
-    }
-    all
 }
 
 /// True for a parameter that the data leave open.
@@ -154,22 +162,16 @@ fn law_open(weighed: &Weighed<'_>, place: usize) -> bool {
 }
 
 /// Why load or Coulomb friction cannot be told; `None` if both can.
-fn no_load(
-    solution: &Solution,
-    weighed: &Weighed<'_>,
-    grouping: &Grouping,
-    plateaus: &[&Plateau],
-    records: &[Record],
-) -> Option<String> {
+fn no_load(asked: &Asked<'_>) -> Option<String> {
+    let Asked { solution, weighed, grouping, plateaus, .. } = *asked;
     let [lifting, lowering] = solution.directions;
     if solution.coulomb.is_some() && solution.loads.iter().all(|load| load.torque.is_some()) {
         return None;
     }
     if lifting + lowering == 0 {
-        let rows: usize = records.iter().map(Record::len).sum();
         let left_out = solution.left_out;
         return Some(format!(
-            "no row slides at constant speed: of {rows} rows {} are at rest, {} accelerate, {} belong to no settled stretch. Record stretches of constant speed, each of several turns, lifting and lowering",
+            "no row slides at constant speed: {} rows are at rest, {} accelerate, {} belong to no settled stretch. Record stretches of constant speed, each of several turns, lifting and lowering",
             left_out.at_rest, left_out.accelerating, left_out.unsettled
         ));
     }
@@ -188,9 +190,9 @@ fn no_load(
     let alone: Vec<String> = (0..grouping.loads.len())
         .filter(|&group| solution.loads[group].torque.is_none())
         .map(|group| match grouping.loads[group] {
-            super::grouping::Hanging { torque: Some(torque), .. } => format!("of {torque:.4} N·m"),
-            super::grouping::Hanging { mass: Some(mass), .. } => format!("of {mass} kg"),
-            super::grouping::Hanging { record, .. } => format!("of record {}", record + 1),
+            Hanging { torque: Some(torque), .. } => format!("of {torque:.4} N·m"),
+            Hanging { mass: Some(mass), .. } => format!("of {mass} kg"),
+            Hanging { record, .. } => format!("of record {}", record + 1),
         })
         .collect();
     Some(format!(

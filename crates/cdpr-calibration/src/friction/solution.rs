@@ -1,12 +1,12 @@
 //! What records tell about a winch.
 
+use super::ROUND_OFF;
 use super::grouping::Grouping;
-use super::law::Law;
+use super::law::{Hung, Law};
 use super::least_squares::Fit;
 use super::plateaus::{LeftOut, Plateau, Plateaus};
 use super::reasons::{self, Undetermined};
 use super::stribeck;
-use super::{ROUND_OFF, Record};
 use crate::autocorrelation::correlation_time;
 use crate::student::t_95;
 
@@ -156,24 +156,24 @@ impl<'a> Weighed<'a> {
     }
 
     /// Torque of a load.
-    pub(super) fn load(&self, group: usize, given: f64) -> Option<Figure> {
+    pub(super) fn load(&self, hung: Hung) -> Option<Figure> {
         let mut gradient = vec![0.0; self.fit.law.count()];
-        let value = self.fit.law.load(group, given, &self.fit.parameters, &mut gradient);
+        let value = self.fit.law.load(hung, &self.fit.parameters, &mut gradient);
         self.figure(value, &gradient)
     }
 
     /// Coulomb friction under a load, and its derivatives.
-    pub(super) fn coulomb(&self, group: usize, given: f64) -> (f64, Vec<f64>) {
+    pub(super) fn coulomb(&self, hung: Hung) -> (f64, Vec<f64>) {
         let mut gradient = vec![0.0; self.fit.law.count()];
         let law = Law { stribeck: false, by_direction: false, ..self.fit.law };
-        let value = law.friction((group, given), 0.0, &self.fit.parameters, &mut gradient);
+        let value = law.friction(hung, 0.0, &self.fit.parameters, &mut gradient);
         (value, gradient)
     }
 
     /// Friction under a load at a speed.
-    pub(super) fn friction(&self, group: usize, given: f64, speed: f64) -> Option<Figure> {
+    pub(super) fn friction(&self, hung: Hung, speed: f64) -> Option<Figure> {
         let mut gradient = vec![0.0; self.fit.law.count()];
-        let value = self.fit.law.friction((group, given), speed, &self.fit.parameters, &mut gradient);
+        let value = self.fit.law.friction(hung, speed, &self.fit.parameters, &mut gradient);
         self.figure(value, &gradient)
     }
 }
@@ -184,13 +184,17 @@ fn together(fit: &Fit, plateaus: &[&Plateau]) -> f64 {
     if are_means && plateaus.len() >= CORRELATED { correlation_time(&fit.residuals) } else { 1.0 }
 }
 
-/// The solution of plateaus of which `kept` were fitted.
-pub(super) fn assemble(
-    records: &[Record],
-    grouping: &Grouping,
-    all: &Plateaus,
-    (kept, base, judged): (&[usize], &Fit, &stribeck::Judged),
-) -> Solution {
+/// What was fitted: the plateaus, and the law without and with the Stribeck part.
+pub(super) struct Fitted<'a> {
+    /// Numbers of the plateaus among the sliding ones.
+    pub(super) kept: &'a [usize],
+    pub(super) base: &'a Fit,
+    pub(super) judged: &'a stribeck::Judged,
+}
+
+/// The solution of what was fitted.
+pub(super) fn assemble(grouping: &Grouping, all: &Plateaus, fitted: &Fitted<'_>) -> Solution {
+    let Fitted { kept, base, judged } = *fitted;
     let plateaus: Vec<&Plateau> = kept.iter().map(|&row| &all.sliding[row]).collect();
     let fit = judged.fit.as_ref().unwrap_or(base);
     let law = fit.law;
@@ -242,20 +246,21 @@ pub(super) fn assemble(
         undetermined: Vec::new(),
         loads,
     };
-    solution.undetermined = reasons::reasons(&solution, &weighed, grouping, (&plateaus, judged, records));
+    solution.undetermined =
+        reasons::Asked { solution: &solution, weighed: &weighed, grouping, plateaus: &plateaus, judged }.reasons();
     solution
 }
 
 /// One load by the fit.
 fn load(weighed: &Weighed<'_>, grouping: &Grouping, plateaus: &[&Plateau], group: usize) -> HangingLoad {
     let hanging = grouping.loads[group];
-    let given = hanging.torque.unwrap_or(0.0);
+    let hung = grouping.hung(group);
     let count = plateaus.iter().filter(|plateau| plateau.group == group).count();
-    let torque = weighed.load(group, given).filter(|_| count > 0);
-    let (value, gradient) = weighed.coulomb(group, given);
+    let torque = weighed.load(hung).filter(|_| count > 0);
+    let (value, gradient) = weighed.coulomb(hung);
     let if_exact = hanging.torque.filter(|_| count > 0).and_then(|given| {
         let mut by_load = vec![0.0; weighed.fit.law.count()];
-        let away = weighed.fit.law.load(group, given, &weighed.fit.parameters, &mut by_load) - given;
+        let away = weighed.fit.law.load(hung, &weighed.fit.parameters, &mut by_load) - given;
         let along = |sign: f64| {
             let both: Vec<f64> = gradient.iter().zip(&by_load).map(|(own, load)| own + sign * load).collect();
             weighed.figure(value + sign * away, &both)

@@ -9,8 +9,15 @@ use std::ops::Range;
 /// Half width of the band: share of the speed, noise of smoothed speeds in standard deviations, share of the fastest speed.
 const BAND: (f64, f64, f64) = (0.05, 4.0, 1e-3);
 
-/// Change over a plateau that is a drift: share of its speed, standard deviations.
-const DRIFT: (f64, f64) = (0.04, 4.0);
+/// Change over a plateau that is no drift: share of its speed, standard deviations. Beyond it the plateau's slope is this share of the steepest of the
+/// run: a slow controller, not a ramp.
+const DRIFT: (f64, f64, f64) = (0.07, 2.5, 0.03);
+
+/// Change over a plateau that its samples have to exclude, at two standard deviations: share of its speed, share of the fastest speed.
+const EXCLUDED: (f64, f64) = (0.15, 0.02);
+
+/// Share of the longest plateau of a run, in time and in way, below which another one is a stop on the way between speeds.
+const PASSING: f64 = 1.0 / 6.0;
 
 /// Share of a plateau that is left out at its start and at its end.
 const SETTLING: f64 = 0.1;
@@ -52,6 +59,7 @@ pub(super) fn find(stretch: &Stretch<'_>) -> Vec<Found> {
         let by_noise = BAND.1 * noise / ((2 * width + 1) as f64).sqrt();
         2.0 * (BAND.0 * level.abs()).max(by_noise).max(BAND.2 * stretch.fastest)
     };
+    let steepest = stretch.steepest(&smooth, width);
     let (mut open, mut steady, mut ramps) = (vec![0..count], Vec::new(), Vec::new());
     while let Some(rows) = open.pop() {
         let longest = longest_in_band(&smooth[rows.clone()], allowed);
@@ -64,10 +72,11 @@ pub(super) fn find(stretch: &Stretch<'_>) -> Vec<Found> {
         let found = rows.start + longest.start..rows.start + longest.end;
         open.push(rows.start..found.start);
         open.push(found.end..rows.end);
-        if stretch.drifts(&found, noise) { ramps.push(found) } else { steady.push(found) }
+        if stretch.drifts(&found, noise, steepest) { ramps.push(found) } else { steady.push(found) }
     }
     steady.sort_by_key(|rows| rows.start);
-    let mut all: Vec<Found> = stretch.merged(steady).into_iter().filter_map(settled).map(Found::Steady).collect();
+    let mut all: Vec<Found> =
+        stretch.lasting(stretch.merged(steady)).into_iter().filter_map(settled).map(Found::Steady).collect();
     all.extend(ramps.into_iter().filter(|rows| !rows.is_empty()).map(Found::Accelerating));
     // a ramp between two parts of one plateau belongs to that
     let steady: Vec<Range<usize>> = all
@@ -91,8 +100,15 @@ impl Stretch<'_> {
         mean.abs() <= (1.5 * deviation).max(super::plateaus::REST * self.fastest)
     }
 
-    /// True where a line through the speeds changes by more than noise and tolerance.
-    fn drifts(&self, rows: &Range<usize>, noise: f64) -> bool {
+    /// Largest slope of smoothed speeds (rad/s²).
+    fn steepest(&self, smooth: &[f64], width: usize) -> f64 {
+        let slope = |row: usize| (smooth[row + width] - smooth[row]) / (self.times[row + width] - self.times[row]);
+        let slopes = (0..smooth.len() - width).map(|row| slope(row).abs());
+        slopes.filter(|slope| slope.is_finite()).fold(0.0, f64::max)
+    }
+
+    /// True where a line through the speeds changes by more than noise and tolerance, or may do so.
+    fn drifts(&self, rows: &Range<usize>, noise: f64, steepest: f64) -> bool {
         let (times, speeds) = (&self.times[rows.clone()], &self.speeds[rows.clone()]);
         let (centre, spread) = moments(times);
         let (mean, _) = moments(speeds);
@@ -103,8 +119,22 @@ impl Stretch<'_> {
         if !slope.is_finite() {
             return false;
         }
-        let by_noise = DRIFT.1 * noise * duration / (spread * count.sqrt());
-        (slope * duration).abs() > (DRIFT.0 * mean.abs()).max(by_noise).max(BAND.2 * self.fastest)
+        let (change, sigma) = ((slope * duration).abs(), noise * duration / (spread * count.sqrt()));
+        let tolerated = (DRIFT.0 * mean.abs()).max(DRIFT.1 * sigma).max(BAND.2 * self.fastest);
+        let is_still = change <= tolerated || slope.abs() <= DRIFT.2 * steepest;
+        let excluded = (EXCLUDED.0 * mean.abs()).max(EXCLUDED.1 * self.fastest);
+        !(is_still && change + 2.0 * sigma <= excluded)
+    }
+
+    /// Plateaus without stops on the way between two speeds.
+    fn lasting(&self, all: Vec<Range<usize>>) -> Vec<Range<usize>> {
+        let time = |rows: &Range<usize>| self.times[rows.end - 1] - self.times[rows.start];
+        let way = |rows: &Range<usize>| moments(&self.speeds[rows.clone()]).0.abs() * time(rows);
+        let longest = |of: &dyn Fn(&Range<usize>) -> f64| all.iter().map(of).fold(0.0, f64::max);
+        let (duration, farthest) = (longest(&time), longest(&way));
+        let lasts = |rows: &Range<usize>| time(rows) >= PASSING * duration || way(rows) >= PASSING * farthest;
+        let (lasting, _) = all.iter().cloned().partition::<Vec<_>, _>(lasts);
+        lasting
     }
 
     /// Neighbours at one speed as one.
