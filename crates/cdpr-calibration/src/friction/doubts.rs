@@ -154,7 +154,7 @@ impl Solution {
             return None;
         }
         let words = format!(
-            "Coulomb friction, {} N·m, is not told apart from none: 95 % intervals are {:.1} standard deviations wide on both sides ({} plateaus beyond the numbers fitted, which differ by {:.4} N·m rms). Record more plateaus, or longer ones",
+            "Coulomb friction, {} N·m, is not told apart from none: 95 % intervals are {:.1} standard deviations wide on both sides ({} degrees of freedom; plateaus are {:.4} N·m rms from the law). Record more plateaus, or longer ones",
             shown(&figure),
             t_95(self.freedom),
             self.freedom,

@@ -88,7 +88,7 @@ pub struct Solution {
     pub break_away: Option<f64>,
     /// Root of the mean square of the residuals of plateaus (N·m).
     pub rms: f64,
-    /// Plateaus beyond the numbers that were fitted; those of Student's t of 95 % intervals.
+    /// Degrees of freedom of 95 % intervals: plateaus beyond the numbers that were fitted, or blocks of samples where these tell the errors.
     pub freedom: usize,
     /// Lowest and highest speed of the plateaus (rad/s).
     pub speeds: Option<[f64; 2]>,

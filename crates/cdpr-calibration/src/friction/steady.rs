@@ -132,7 +132,9 @@ impl Stretch<'_> {
         let way = |rows: &Range<usize>| moments(&self.speeds[rows.clone()]).0.abs() * time(rows);
         let longest = |of: &dyn Fn(&Range<usize>) -> f64| all.iter().map(of).fold(0.0, f64::max);
         let (duration, farthest) = (longest(&time), longest(&way));
-        let lasts = |rows: &Range<usize>| time(rows) >= PASSING * duration || way(rows) >= PASSING * farthest;
+        let lasts = |rows: &Range<usize>| {
+            self.is_rest(rows) || time(rows) >= PASSING * duration || way(rows) >= PASSING * farthest
+        };
         let (lasting, _) = all.iter().cloned().partition::<Vec<_>, _>(lasts);
         lasting
     }

@@ -210,7 +210,7 @@ pub struct FrictionAnswer {
     /// 95 % intervals by Student's t, under the keys of the numbers.
     #[schemars(with = "Quantities<[f64; 2]>")]
     interval_95: Quantities<[f64; 2]>,
-    /// Plateaus beyond the numbers fitted.
+    /// Degrees of freedom of the intervals: plateaus beyond the numbers fitted, or blocks of samples where these tell the errors.
     degrees_of_freedom: usize,
     /// Keys of what the records do not tell.
     undetermined: Vec<&'static str>,
