@@ -16,13 +16,21 @@ use crate::keys::WarningKeys;
 #[expect(non_snake_case, reason = "keys carry their units")]
 #[schemars(rename = "FrictionQuantities")]
 struct Quantities<T> {
+    /// Of the torque of the load (N·m).
     load_Nm: Option<T>,
+    /// Of the fitted load torque per given one.
     load_scale: Option<T>,
+    /// Of the fitted torque without load (N·m).
     load_offset_Nm: Option<T>,
+    /// Of Coulomb friction (N·m).
     coulomb_Nm: Option<T>,
+    /// Of its growth per torque of the load.
     coulomb_by_load: Option<T>,
+    /// Of friction per speed (N·m·s/rad).
     viscous_Nm_s_per_rad: Option<T>,
+    /// Of static friction (N·m).
     static_Nm: Option<T>,
+    /// Of the Stribeck speed (rad/s).
     stribeck_speed_rad_per_s: Option<T>,
 }
 
