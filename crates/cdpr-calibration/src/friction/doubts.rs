@@ -2,7 +2,8 @@
 
 use cdpr_model::finding::{Finding, FindingKind, Severity};
 
-use super::reasons::{Quantity, shown};
+use super::quantity::Quantity;
+use super::reasons::shown;
 use super::solution::{Figure, Solution};
 use crate::student::t_95;
 use crate::verdict::{Doubt, DoubtKind};

@@ -1,4 +1,4 @@
-//! Which rows have the same load.
+//! Rows of the same load.
 
 use super::Record;
 use super::law::Hung;

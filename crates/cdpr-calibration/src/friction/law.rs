@@ -2,7 +2,10 @@
 
 use super::plateaus::Plateau;
 
-/// Which parts the law has.
+/// Torques that differ by less than this share of the largest do not differ.
+pub(super) const ROUND_OFF: f64 = 1e-9;
+
+/// Parts of the law.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub(super) struct Law {
     /// Number of loads; each has a torque of its own, unless `is_scaled`.

@@ -9,12 +9,14 @@
 //! The unit of the fit is a plateau, not a sample: torque ripples within a turn, and samples of one turn are not independent. Standard
 //! deviations are those of least squares of plateaus, with what the samples of a plateau say about its mean as the least.
 
+mod assembly;
 mod doubts;
 mod grouping;
 mod law;
 mod least_squares;
 mod outliers;
 mod plateaus;
+mod quantity;
 mod reasons;
 mod record;
 #[cfg(feature = "files")]
@@ -22,23 +24,21 @@ mod record_file;
 mod solution;
 mod steady;
 mod stribeck;
+mod weighed;
 
 use thiserror::Error;
 
+use assembly::Fitted;
 use grouping::Grouping;
-use law::Law;
+use law::{Law, ROUND_OFF};
 use least_squares::Fit;
 use plateaus::Plateaus;
 pub use plateaus::{LeftOut, Plateau};
-pub use reasons::{Quantity, Undetermined};
+pub use quantity::{Quantity, Undetermined};
 pub use record::Record;
 #[cfg(feature = "files")]
 pub use record_file::RecordReading;
-use solution::Fitted;
 pub use solution::{ByDirection, Figure, HangingLoad, Judged, Solution};
-
-/// Torques that differ by less than this share of the largest do not differ.
-const ROUND_OFF: f64 = 1e-9;
 
 /// Records that are none of a winch at constant speeds.
 #[derive(Clone, Debug, PartialEq, Error)]
@@ -114,7 +114,7 @@ pub fn identify(records: &[Record]) -> Result<Solution, InputError> {
             }
             None => {
                 let fitted = Fitted { kept: &kept, base: &base, judged: &stribeck };
-                return Ok(solution::assemble(&grouping, &plateaus, &fitted));
+                return Ok(assembly::assemble(&grouping, &plateaus, &fitted));
             }
         }
     }

@@ -3,10 +3,7 @@
 use std::ops::Range;
 
 use super::Record;
-use super::steady::{Found, Stretch, find};
-
-/// Speeds below this share of the largest one are rest.
-pub(super) const REST: f64 = 2e-4;
+use super::steady::{Found, REST, Stretch, find};
 
 /// Rows without times are samples from this number on, where consecutive speeds differ by less than this share of their magnitude.
 const SAMPLES: (usize, f64) = (60, 0.1);

@@ -1,10 +1,13 @@
-//! Where the speed of a run is constant.
+//! Stretches of a run in which the speed is constant.
 //!
 //! A plateau is the longest stretch in which the smoothed speed stays in a band; what is left beside it is searched again. A stretch
 //! whose speed drifts through its band is a ramp. Ends of a plateau, where speed and torque still settle, are no part of it.
 
 use std::collections::VecDeque;
 use std::ops::Range;
+
+/// Speeds below this share of the largest one are rest.
+pub(super) const REST: f64 = 2e-4;
 
 /// Half width of the band: share of the speed, noise of smoothed speeds in standard deviations, share of the fastest speed.
 const BAND: (f64, f64, f64) = (0.05, 4.0, 1e-3);
@@ -60,7 +63,7 @@ pub(super) fn find(stretch: &Stretch<'_>) -> Vec<Found> {
         2.0 * (BAND.0 * level.abs()).max(by_noise).max(BAND.2 * stretch.fastest)
     };
     let steepest = stretch.steepest(&smooth, width);
-    let (mut open, mut steady, mut ramps) = (vec![0..count], Vec::new(), Vec::new());
+    let (mut open, mut steady, mut ramps) = (Vec::from([0..count]), Vec::new(), Vec::new());
     while let Some(rows) = open.pop() {
         let longest = longest_in_band(&smooth[rows.clone()], allowed);
         if longest.len() < FEWEST {
@@ -97,7 +100,7 @@ impl Stretch<'_> {
     /// True where the speed of rows is none that differs from rest.
     pub(super) fn is_rest(&self, rows: &Range<usize>) -> bool {
         let (mean, deviation) = moments(&self.speeds[rows.clone()]);
-        mean.abs() <= (1.5 * deviation).max(super::plateaus::REST * self.fastest)
+        mean.abs() <= (1.5 * deviation).max(REST * self.fastest)
     }
 
     /// Largest slope of smoothed speeds (rad/s²).

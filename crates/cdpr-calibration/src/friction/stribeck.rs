@@ -1,4 +1,4 @@
-//! Whether the plateaus show that friction falls with speed, from standing to sliding.
+//! Friction that falls with speed, from standing to sliding, where plateaus show it.
 
 use super::law::Law;
 use super::least_squares::{Fit, SAME};
@@ -16,7 +16,7 @@ const KNOWN: (f64, f64) = (0.5, 1.0 / 3.0);
 /// Share of the excess that a plateau still has, to be one that shows it.
 const SHOWS: f64 = 0.1;
 
-/// What plateaus say about the part.
+/// Judgement of plateaus on the part.
 #[derive(Clone, Debug)]
 pub(super) struct Judged {
     /// The law with the part, where the plateaus show it.

@@ -62,27 +62,27 @@ fn only_load(solution: &Solution) -> Option<Figure> {
 #[derive(Serialize, JsonSchema)]
 #[expect(non_snake_case, reason = "keys carry their units")]
 #[schemars(rename = "HangingLoad")]
-pub(super) struct LoadAnswer {
+struct LoadAnswer {
     /// First record with it, counted from 1.
-    pub(super) record: usize,
+    record: usize,
     /// Its mass in a column `load_kg`, which tells loads apart (kg).
     mass_kg: Option<f64>,
     /// Its torque as the records give it (N·m).
-    pub(super) given_Nm: Option<f64>,
+    given_Nm: Option<f64>,
     /// Its torque by the fit (N·m); null where it cannot be told from friction.
-    pub(super) load_Nm: Option<f64>,
+    load_Nm: Option<f64>,
     /// Standard deviation of it (N·m).
-    pub(super) load_sigma_Nm: Option<f64>,
+    load_sigma_Nm: Option<f64>,
     /// Coulomb friction under it, the mean of both directions (N·m).
-    pub(super) coulomb_Nm: Option<f64>,
+    coulomb_Nm: Option<f64>,
     /// Standard deviation of it (N·m).
-    pub(super) coulomb_sigma_Nm: Option<f64>,
+    coulomb_sigma_Nm: Option<f64>,
     /// Coulomb friction while lifting, if the given torque is exact (N·m).
     coulomb_lifting_if_exact_Nm: Option<f64>,
     /// Coulomb friction while lowering, if the given torque is exact (N·m).
     coulomb_lowering_if_exact_Nm: Option<f64>,
     /// Plateaus with it.
-    pub(super) plateaus: usize,
+    plateaus: usize,
 }
 
 impl LoadAnswer {
@@ -173,11 +173,11 @@ struct LeftOutAnswer {
 /// Why a quantity is null.
 #[derive(Serialize, JsonSchema)]
 #[schemars(rename = "OpenQuantity")]
-pub(super) struct ReasonAnswer {
+struct ReasonAnswer {
     /// Key of the quantity.
-    pub(super) key: &'static str,
+    key: &'static str,
     /// The reason, with what to record.
-    pub(super) reason: String,
+    reason: String,
 }
 
 /// Friction and loads of a winch: torque = load + sign(speed)·(coulomb + coulomb_by_load·load + (static − coulomb)·exp(−(speed/stribeck_speed)²) + viscous·|speed|).
@@ -189,11 +189,11 @@ pub struct FrictionAnswer {
     /// False where nobody should work with the numbers; the warnings say why.
     trusted: bool,
     #[serde(skip)]
-    pub(super) verdict: Verdict,
+    verdict: Verdict,
     /// Reason why load and friction are not told or not to be trusted.
-    pub(super) reason: Option<String>,
+    reason: Option<String>,
     /// Files of the records.
-    pub(super) records: Vec<String>,
+    records: Vec<String>,
     /// Torque of the load (N·m); null where there are several, see `loads`, and where it cannot be told from friction.
     load_Nm: Option<f64>,
     /// Fitted load torque per given one, where several loads are given.
@@ -211,7 +211,7 @@ pub struct FrictionAnswer {
     /// Speed over which dry friction falls from static_Nm to coulomb_Nm (rad/s).
     stribeck_speed_rad_per_s: Option<f64>,
     /// Root mean square of recorded minus fitted torques of plateaus (N·m).
-    pub(super) rms_Nm: f64,
+    rms_Nm: f64,
     /// Standard deviations, under the keys of the numbers; null where nothing tells errors.
     #[schemars(with = "Quantities<f64>")]
     sigma: Quantities<f64>,
@@ -223,9 +223,9 @@ pub struct FrictionAnswer {
     /// Keys of what the records do not tell.
     undetermined: Vec<&'static str>,
     /// Why each of them is not told, and what to record.
-    pub(super) undetermined_reasons: Vec<ReasonAnswer>,
+    undetermined_reasons: Vec<ReasonAnswer>,
     /// Loads that hung from the winch.
-    pub(super) loads: Vec<LoadAnswer>,
+    loads: Vec<LoadAnswer>,
     /// Friction per speed of each direction.
     viscous_by_direction: Option<DirectionsAnswer>,
     /// Torque beyond the load at which the motor still stood (N·m): static friction is no less.
@@ -247,9 +247,9 @@ pub struct FrictionAnswer {
     /// Doubts about the numbers.
     #[serde(flatten, with = "WarningKeys")]
     #[schemars(with = "WarningKeys")]
-    pub(super) warnings: Warnings,
+    warnings: Warnings,
     #[serde(skip)]
-    pub(super) solution: Solution,
+    solution: Solution,
 }
 
 impl FrictionAnswer {
@@ -319,6 +319,6 @@ impl Answer for FrictionAnswer {
     }
 
     fn words(&self, width: Option<usize>) -> String {
-        words(self, width)
+        words(&self.solution, &self.records, &self.warnings, width)
     }
 }

@@ -1,8 +1,8 @@
 //! Friction of a winch in words.
 
-use cdpr_calibration::friction::Figure;
+use cdpr_calibration::friction::{Figure, Solution};
+use cdpr_calibration::selection::Warnings;
 
-use super::friction_answer::FrictionAnswer;
 use super::identification_words::doubt_words;
 use crate::number_format::{NONE, significant};
 use crate::table::Table;
@@ -11,16 +11,15 @@ use crate::table::Table;
 const DIGITS: (i32, i32) = (4, 2);
 
 /// Doubts, numbers, loads, what is open, what was left out.
-pub(super) fn words(answer: &FrictionAnswer, width: Option<usize>) -> String {
-    let solution = &answer.solution;
+pub(super) fn words(solution: &Solution, records: &[String], warnings: &Warnings, width: Option<usize>) -> String {
     let [lifting, lowering] = solution.directions;
-    let names = match answer.records.as_slice() {
+    let names = match records {
         [one] => one.clone(),
         many => format!("{} records", many.len()),
     };
     let speeds = solution.speeds.map_or_else(String::new, |[low, high]| format!(" at {low:.3} to {high:.3} rad/s"));
     let mut text = format!("{names}: {lifting} plateaus lift and {lowering} lower{speeds}\n");
-    text.push_str(&doubt_words(&answer.warnings.doubts));
+    text.push_str(&doubt_words(&warnings.doubts));
     let mut table = Table::new(["quantity", "unit", "value", "± sigma", "95 % interval"]).left_column(1);
     let mut row = |name: &str, unit: &str, figure: Option<Figure>| {
         let Some(figure) = figure else { return };
@@ -44,36 +43,36 @@ pub(super) fn words(answer: &FrictionAnswer, width: Option<usize>) -> String {
     text.push_str(&format!("\n{}", table.text(width)));
     text.push_str(&format!(
         "plateaus are {:.2} mN·m (rms) from this law, with {} degrees of freedom\n",
-        1e3 * answer.rms_Nm,
+        1e3 * solution.rms,
         solution.freedom
     ));
-    if answer.loads.len() > 1 {
-        text.push_str(&format!("\n{}", loads(answer, width)));
+    if solution.loads.len() > 1 {
+        text.push_str(&format!("\n{}", loads(solution, width)));
     }
     text.push_str("\nnot told by these records\n");
-    for open in &answer.undetermined_reasons {
-        text.push_str(&format!("  {}: {}\n", open.key, open.reason));
+    for open in &solution.undetermined {
+        text.push_str(&format!("  {}: {}\n", open.quantity.key(), open.reason));
     }
-    if !answer.warnings.remarks.is_empty() {
+    if !warnings.remarks.is_empty() {
         text.push_str("\nwarnings\n");
-        answer.warnings.remarks.iter().for_each(|remark| text.push_str(&format!("  {remark}\n")));
+        warnings.remarks.iter().for_each(|remark| text.push_str(&format!("  {remark}\n")));
     }
     text
 }
 
 /// A row for each load.
-fn loads(answer: &FrictionAnswer, width: Option<usize>) -> String {
+fn loads(solution: &Solution, width: Option<usize>) -> String {
     let heads = ["record", "given N·m", "load N·m", "± sigma", "Coulomb N·m", "± sigma", "plateaus"];
     let mut table = Table::new(heads);
     let shown = |value: Option<f64>, digits: i32| value.map_or_else(|| NONE.to_owned(), |own| significant(own, digits));
-    for load in &answer.loads {
+    for load in &solution.loads {
         table.row(vec![
-            load.record.to_string(),
-            shown(load.given_Nm, DIGITS.0),
-            shown(load.load_Nm, DIGITS.0),
-            shown(load.load_sigma_Nm, DIGITS.1),
-            shown(load.coulomb_Nm, DIGITS.0),
-            shown(load.coulomb_sigma_Nm, DIGITS.1),
+            (load.record + 1).to_string(),
+            shown(load.given, DIGITS.0),
+            shown(load.torque.map(|own| own.value), DIGITS.0),
+            shown(load.torque.and_then(|own| own.sigma), DIGITS.1),
+            shown(load.coulomb.map(|own| own.value), DIGITS.0),
+            shown(load.coulomb.and_then(|own| own.sigma), DIGITS.1),
             load.plateaus.to_string(),
         ]);
     }
