@@ -63,7 +63,8 @@ pub(super) fn find(stretch: &Stretch<'_>) -> Vec<Found> {
         2.0 * (BAND.0 * level.abs()).max(by_noise).max(BAND.2 * stretch.fastest)
     };
     let steepest = stretch.steepest(&smooth, width);
-    let (mut open, mut steady, mut ramps) = (Vec::from([0..count]), Vec::new(), Vec::new());
+    let (mut open, mut steady, mut ramps) = (Vec::new(), Vec::new(), Vec::new());
+    open.push(0..count);
     while let Some(rows) = open.pop() {
         let longest = longest_in_band(&smooth[rows.clone()], allowed);
         if longest.len() < FEWEST {
