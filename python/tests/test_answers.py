@@ -49,6 +49,19 @@ def bench_record() -> Path:
     return folder / "record.csv"
 
 
+def winch_record() -> Path:
+    """Returns plateaus of a winch that lifts and lowers two loads."""
+    folder = Path(tempfile.mkdtemp(prefix="cdpr-winch-"))
+    rows = [
+        f"{way * speed},{load + way * (0.04 + 0.05 * load + 8e-4 * speed) + 1e-4 * (speed % 3)},{load}"
+        for load in (0.2, 1.0)
+        for speed in (3.0, 7.0, 14.0, 25.0)
+        for way in (1, -1)
+    ]
+    (folder / "winch.csv").write_text("motor_speed_rad_per_s,motor_torque_Nm,load_Nm\n" + "\n".join(rows) + "\n")
+    return folder / "winch.csv"
+
+
 PLANAR = "planar-example"
 HANGING = "suspended-camera"
 
@@ -84,6 +97,7 @@ CALLS: dict[str, Callable[[], Any]] = {
     "compensate": lambda: cdpr.compensate(demo() / "robot.toml", training()),
     "campaign": lambda: cdpr.campaign(study({"campaign": {"free": "frame-anchor", "rounds": 2, "poses_per_round": 6}})),
     "test_bench": lambda: cdpr.test_bench(bench_record(), length=2.0),
+    "friction": lambda: cdpr.friction([winch_record()]),
     "run": lambda: cdpr.run(scenario()),
 }
 

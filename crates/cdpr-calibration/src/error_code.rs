@@ -6,7 +6,7 @@ use crate::candidate::CandidateError;
 use crate::compensation::CompensationError;
 use crate::cross_validation::CrossValidationError;
 use crate::selection::RequirementError;
-use crate::{EvaluationError, PlanError, fit, selection, test_bench};
+use crate::{EvaluationError, PlanError, fit, friction, selection, test_bench};
 
 impl ErrorCode for EvaluationError {
     fn code(&self) -> &'static str {
@@ -109,6 +109,18 @@ impl ErrorCode for test_bench::InputError {
             Self::NotRising { .. } => "record::not-rising",
             Self::BranchesCross { .. } => "record::branches-cross",
             Self::NoLaw(reason) => reason.code(),
+        }
+    }
+}
+
+impl ErrorCode for friction::InputError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Empty => "record::empty",
+            Self::Lengths { .. } => "record::lengths",
+            Self::NotFinite { .. } => "record::not-finite",
+            Self::MixedLoads { .. } => "record::mixed-loads",
+            Self::ConstantTorque { .. } => "record::constant-torque",
         }
     }
 }

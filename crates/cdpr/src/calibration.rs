@@ -36,6 +36,13 @@ pub mod fit {
     };
 }
 
+pub mod friction {
+    //! Friction of a winch from records at constant speeds.
+
+    #[doc(inline)]
+    pub use cdpr_calibration::friction::{Figure, InputError, Record, Solution, identify};
+}
+
 pub mod selection {
     //! The choice between candidates.
 

@@ -70,6 +70,7 @@ _MODULES = {
         "dynamics",
         "evaluate",
         "fk",
+        "friction",
         "identify",
         "ik",
         "initial_tension",

@@ -4239,6 +4239,332 @@ class FrameEstimate(Result):
         return self._get("sigma_rotation_rad")
 
 
+class Friction(Result):
+    """Friction and loads of a winch: torque = load + sign(speed)·(coulomb + coulomb_by_load·load + (static −
+    coulomb)·exp(−(speed/stribeck_speed)²) + viscous·|speed|).
+    """
+
+    __slots__ = ()
+    _KEYS: ClassVar[tuple[tuple[str, str, bool], ...]] = (
+        ("break_away_at_least", "break_away_at_least_Nm", True),
+        ("coulomb", "coulomb_Nm", True),
+        ("coulomb_by_load", "coulomb_by_load", True),
+        ("degrees_of_freedom", "degrees_of_freedom", True),
+        ("findings", "findings", True),
+        ("interval_95", "interval_95", True),
+        ("layout_version", "layout_version", True),
+        ("left_out", "left_out", True),
+        ("lifting_plateaus", "lifting_plateaus", True),
+        ("load", "load_Nm", True),
+        ("load_offset", "load_offset_Nm", True),
+        ("load_scale", "load_scale", True),
+        ("loads", "loads", True),
+        ("lowering_plateaus", "lowering_plateaus", True),
+        ("plateaus", "plateaus", True),
+        ("program", "program", True),
+        ("reason", "reason", True),
+        ("records", "records", True),
+        ("rms", "rms_Nm", True),
+        ("robot", "robot", False),
+        ("sigma", "sigma", True),
+        ("speed_max_rad", "speed_max_rad_per_s", True),
+        ("speed_min_rad", "speed_min_rad_per_s", True),
+        ("static", "static_Nm", True),
+        ("status", "status", True),
+        ("stribeck_gain", "stribeck_gain", True),
+        ("stribeck_speed_rad", "stribeck_speed_rad_per_s", True),
+        ("trusted", "trusted", True),
+        ("undetermined", "undetermined", True),
+        ("undetermined_reasons", "undetermined_reasons", True),
+        ("viscous_Nm_s_per", "viscous_Nm_s_per_rad", True),
+        ("viscous_by_direction", "viscous_by_direction", True),
+        ("warnings", "warnings", True),
+    )
+
+    @property
+    def break_away_at_least(self) -> float | None:
+        """Torque beyond the load at which the motor still stood (N·m): static friction is no less."""
+        return self._get("break_away_at_least_Nm")
+
+    @property
+    def coulomb(self) -> float | None:
+        """Dry friction while sliding (N·m), the mean of both directions; without load where it grows with the
+        load.
+        """
+        return self._get("coulomb_Nm")
+
+    @property
+    def coulomb_by_load(self) -> float | None:
+        """Growth of Coulomb friction per torque of the load (given, or else fitted)."""
+        return self._get("coulomb_by_load")
+
+    @property
+    def degrees_of_freedom(self) -> int:
+        """Degrees of freedom of the intervals: plateaus beyond the numbers fitted, or blocks of samples where
+        these tell the errors.
+        """
+        return self._get("degrees_of_freedom")
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """Findings, the worst first."""
+        return self._get("findings", Finding)
+
+    @property
+    def interval_95(self) -> FrictionQuantities2:
+        """95 % intervals by Student's t, under the keys of the numbers."""
+        return self._get("interval_95", FrictionQuantities2)
+
+    @property
+    def layout_version(self) -> int:
+        """Version of the keys of answers: raised when a key goes or changes its meaning."""
+        return self._get("layout_version")
+
+    @property
+    def left_out(self) -> RowsLeftOut:
+        """Rows and plateaus that were left out."""
+        return self._get("left_out", RowsLeftOut)
+
+    @property
+    def lifting_plateaus(self) -> int:
+        """Plateaus that lift."""
+        return self._get("lifting_plateaus")
+
+    @property
+    def load(self) -> float | None:
+        """Torque of the load (N·m); `None` where there are several, see `loads`, and where it cannot be told
+        from friction.
+        """
+        return self._get("load_Nm")
+
+    @property
+    def load_offset(self) -> float | None:
+        """Fitted torque without load (N·m), where several loads are given."""
+        return self._get("load_offset_Nm")
+
+    @property
+    def load_scale(self) -> float | None:
+        """Fitted load torque per given one, where several loads are given."""
+        return self._get("load_scale")
+
+    @property
+    def loads(self) -> tuple[HangingLoad, ...]:
+        """Loads that hung from the winch."""
+        return self._get("loads", HangingLoad)
+
+    @property
+    def lowering_plateaus(self) -> int:
+        """Plateaus that lower."""
+        return self._get("lowering_plateaus")
+
+    @property
+    def plateaus(self) -> tuple[SpeedPlateau, ...]:
+        """Sliding plateaus."""
+        return self._get("plateaus", SpeedPlateau)
+
+    @property
+    def program(self) -> str:
+        """Name and version of the program."""
+        return self._get("program")
+
+    @property
+    def reason(self) -> str | None:
+        """Reason why load and friction are not told or not to be trusted."""
+        return self._get("reason")
+
+    @property
+    def records(self) -> tuple[str, ...]:
+        """Files of the records."""
+        return self._get("records")
+
+    @property
+    def rms(self) -> float:
+        """Root mean square of recorded minus fitted torques of plateaus (N·m)."""
+        return self._get("rms_Nm")
+
+    @property
+    def robot(self) -> str | None:
+        """Name of the robot."""
+        return self._find("robot")
+
+    @property
+    def sigma(self) -> FrictionQuantities:
+        """Standard deviations, under the keys of the numbers; `None` where nothing tells errors."""
+        return self._get("sigma", FrictionQuantities)
+
+    @property
+    def speed_max_rad(self) -> float | None:
+        """Highest speed of the plateaus (rad/s) (1/s)."""
+        return self._get("speed_max_rad_per_s")
+
+    @property
+    def speed_min_rad(self) -> float | None:
+        """Lowest speed of the plateaus (rad/s) (1/s)."""
+        return self._get("speed_min_rad_per_s")
+
+    @property
+    def static(self) -> float | None:
+        """Dry friction towards standing still (N·m)."""
+        return self._get("static_Nm")
+
+    @property
+    def status(self) -> str:
+        """Outcome in a word."""
+        return self._get("status")
+
+    @property
+    def stribeck_gain(self) -> float | None:
+        """Gain of Akaike's corrected criterion by friction that falls with speed; 6 tells it."""
+        return self._get("stribeck_gain")
+
+    @property
+    def stribeck_speed_rad(self) -> float | None:
+        """Speed over which dry friction falls from static_Nm to coulomb_Nm (rad/s) (1/s)."""
+        return self._get("stribeck_speed_rad_per_s")
+
+    @property
+    def trusted(self) -> bool:
+        """False where nobody should work with the numbers; the warnings say why."""
+        return self._get("trusted")
+
+    @property
+    def undetermined(self) -> tuple[str, ...]:
+        """Keys of what the records do not tell."""
+        return self._get("undetermined")
+
+    @property
+    def undetermined_reasons(self) -> tuple[OpenQuantity, ...]:
+        """Why each of them is not told, and what to record."""
+        return self._get("undetermined_reasons", OpenQuantity)
+
+    @property
+    def viscous_Nm_s_per(self) -> float | None:
+        """Friction per speed (N·m·s/rad) (rad)."""
+        return self._get("viscous_Nm_s_per_rad")
+
+    @property
+    def viscous_by_direction(self) -> ViscousByDirection | None:
+        """Friction per speed of each direction."""
+        return self._get("viscous_by_direction", ViscousByDirection)
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Warnings for the reader, doubts about the outcome first."""
+        return self._get("warnings")
+
+
+class FrictionQuantities(Result):
+    """A number of each quantity; `None` where the records do not tell it."""
+
+    __slots__ = ()
+    _KEYS: ClassVar[tuple[tuple[str, str, bool], ...]] = (
+        ("coulomb", "coulomb_Nm", True),
+        ("coulomb_by_load", "coulomb_by_load", True),
+        ("load", "load_Nm", True),
+        ("load_offset", "load_offset_Nm", True),
+        ("load_scale", "load_scale", True),
+        ("static", "static_Nm", True),
+        ("stribeck_speed_rad", "stribeck_speed_rad_per_s", True),
+        ("viscous_Nm_s_per", "viscous_Nm_s_per_rad", True),
+    )
+
+    @property
+    def coulomb(self) -> float | None:
+        """Of Coulomb friction (N·m)."""
+        return self._get("coulomb_Nm")
+
+    @property
+    def coulomb_by_load(self) -> float | None:
+        """Of its growth per torque of the load."""
+        return self._get("coulomb_by_load")
+
+    @property
+    def load(self) -> float | None:
+        """Of the torque of the load (N·m)."""
+        return self._get("load_Nm")
+
+    @property
+    def load_offset(self) -> float | None:
+        """Of the fitted torque without load (N·m)."""
+        return self._get("load_offset_Nm")
+
+    @property
+    def load_scale(self) -> float | None:
+        """Of the fitted load torque per given one."""
+        return self._get("load_scale")
+
+    @property
+    def static(self) -> float | None:
+        """Of static friction (N·m)."""
+        return self._get("static_Nm")
+
+    @property
+    def stribeck_speed_rad(self) -> float | None:
+        """Of the Stribeck speed (rad/s) (1/s)."""
+        return self._get("stribeck_speed_rad_per_s")
+
+    @property
+    def viscous_Nm_s_per(self) -> float | None:
+        """Of friction per speed (N·m·s/rad) (rad)."""
+        return self._get("viscous_Nm_s_per_rad")
+
+
+class FrictionQuantities2(Result):
+    """A number of each quantity; `None` where the records do not tell it."""
+
+    __slots__ = ()
+    _KEYS: ClassVar[tuple[tuple[str, str, bool], ...]] = (
+        ("coulomb", "coulomb_Nm", True),
+        ("coulomb_by_load", "coulomb_by_load", True),
+        ("load", "load_Nm", True),
+        ("load_offset", "load_offset_Nm", True),
+        ("load_scale", "load_scale", True),
+        ("static", "static_Nm", True),
+        ("stribeck_speed_rad", "stribeck_speed_rad_per_s", True),
+        ("viscous_Nm_s_per", "viscous_Nm_s_per_rad", True),
+    )
+
+    @property
+    def coulomb(self) -> tuple[float, float] | None:
+        """Of Coulomb friction (N·m)."""
+        return self._get("coulomb_Nm")
+
+    @property
+    def coulomb_by_load(self) -> tuple[float, float] | None:
+        """Of its growth per torque of the load."""
+        return self._get("coulomb_by_load")
+
+    @property
+    def load(self) -> tuple[float, float] | None:
+        """Of the torque of the load (N·m)."""
+        return self._get("load_Nm")
+
+    @property
+    def load_offset(self) -> tuple[float, float] | None:
+        """Of the fitted torque without load (N·m)."""
+        return self._get("load_offset_Nm")
+
+    @property
+    def load_scale(self) -> tuple[float, float] | None:
+        """Of the fitted load torque per given one."""
+        return self._get("load_scale")
+
+    @property
+    def static(self) -> tuple[float, float] | None:
+        """Of static friction (N·m)."""
+        return self._get("static_Nm")
+
+    @property
+    def stribeck_speed_rad(self) -> tuple[float, float] | None:
+        """Of the Stribeck speed (rad/s) (1/s)."""
+        return self._get("stribeck_speed_rad_per_s")
+
+    @property
+    def viscous_Nm_s_per(self) -> tuple[float, float] | None:
+        """Of friction per speed (N·m·s/rad) (rad)."""
+        return self._get("viscous_Nm_s_per_rad")
+
+
 class Gauge(Result):
     """Freedom that the data leave of the frames, and what fixes it."""
 
@@ -4325,6 +4651,74 @@ class GridComparison(Result):
     def log_det(self) -> float | None:
         """log det M of the grid; `None` where it does not determine all parameters."""
         return self._get("log_det")
+
+
+class HangingLoad(Result):
+    """One load that hung from the winch."""
+
+    __slots__ = ()
+    _KEYS: ClassVar[tuple[tuple[str, str, bool], ...]] = (
+        ("coulomb", "coulomb_Nm", True),
+        ("coulomb_lifting_if_exact", "coulomb_lifting_if_exact_Nm", True),
+        ("coulomb_lowering_if_exact", "coulomb_lowering_if_exact_Nm", True),
+        ("coulomb_sigma", "coulomb_sigma_Nm", True),
+        ("given", "given_Nm", True),
+        ("load", "load_Nm", True),
+        ("load_sigma", "load_sigma_Nm", True),
+        ("mass", "mass_kg", True),
+        ("plateaus", "plateaus", True),
+        ("record", "record", True),
+    )
+
+    @property
+    def coulomb(self) -> float | None:
+        """Coulomb friction under it, the mean of both directions (N·m)."""
+        return self._get("coulomb_Nm")
+
+    @property
+    def coulomb_lifting_if_exact(self) -> float | None:
+        """Coulomb friction while lifting, if the given torque is exact (N·m)."""
+        return self._get("coulomb_lifting_if_exact_Nm")
+
+    @property
+    def coulomb_lowering_if_exact(self) -> float | None:
+        """Coulomb friction while lowering, if the given torque is exact (N·m)."""
+        return self._get("coulomb_lowering_if_exact_Nm")
+
+    @property
+    def coulomb_sigma(self) -> float | None:
+        """Standard deviation of it (N·m)."""
+        return self._get("coulomb_sigma_Nm")
+
+    @property
+    def given(self) -> float | None:
+        """Its torque as the records give it (N·m)."""
+        return self._get("given_Nm")
+
+    @property
+    def load(self) -> float | None:
+        """Its torque by the fit (N·m); `None` where it cannot be told from friction."""
+        return self._get("load_Nm")
+
+    @property
+    def load_sigma(self) -> float | None:
+        """Standard deviation of it (N·m)."""
+        return self._get("load_sigma_Nm")
+
+    @property
+    def mass(self) -> float | None:
+        """Its mass in a column `load_kg`, which tells loads apart (kg)."""
+        return self._get("mass_kg")
+
+    @property
+    def plateaus(self) -> int:
+        """Plateaus with it."""
+        return self._get("plateaus")
+
+    @property
+    def record(self) -> int:
+        """First record with it, counted from 1."""
+        return self._get("record")
 
 
 class HangingPose(Result):
@@ -6637,6 +7031,26 @@ class ObjectiveValues(Result):
         return self._get("rotation_length_m")
 
 
+class OpenQuantity(Result):
+    """Why a quantity is `None`."""
+
+    __slots__ = ()
+    _KEYS: ClassVar[tuple[tuple[str, str, bool], ...]] = (
+        ("key", "key", True),
+        ("reason", "reason", True),
+    )
+
+    @property
+    def key(self) -> str:
+        """Key of the quantity."""
+        return self._get("key")
+
+    @property
+    def reason(self) -> str:
+        """The reason, with what to record."""
+        return self._get("reason")
+
+
 class Optimum(Result):
     """Optimum of an objective, or the model as given, judged by all objectives."""
 
@@ -8894,6 +9308,44 @@ class RowWeight(Result):
         return self._get("wrench_per_N")
 
 
+class RowsLeftOut(Result):
+    """Rows that tell nothing about sliding friction."""
+
+    __slots__ = ()
+    _KEYS: ClassVar[tuple[tuple[str, str, bool], ...]] = (
+        ("accelerating", "accelerating", True),
+        ("at_rest", "at_rest", True),
+        ("duplicates", "duplicates", True),
+        ("outliers", "outliers", True),
+        ("unsettled", "unsettled", True),
+    )
+
+    @property
+    def accelerating(self) -> int:
+        """Rows of changing speed."""
+        return self._get("accelerating")
+
+    @property
+    def at_rest(self) -> int:
+        """Rows at rest."""
+        return self._get("at_rest")
+
+    @property
+    def duplicates(self) -> int:
+        """Rows or plateaus that are there twice."""
+        return self._get("duplicates")
+
+    @property
+    def outliers(self) -> int:
+        """Plateaus that are none of the others."""
+        return self._get("outliers")
+
+    @property
+    def unsettled(self) -> int:
+        """Rows next to a change of speed, or in stretches too short for a mean."""
+        return self._get("unsettled")
+
+
 class Run(Result):
     """End of a run."""
 
@@ -9912,6 +10364,62 @@ class Slack(Result):
     def first(self) -> float:
         """Time at which it happens first (s)."""
         return self._get("first_s")
+
+
+class SpeedPlateau(Result):
+    """A constant speed beside the fit."""
+
+    __slots__ = ()
+    _KEYS: ClassVar[tuple[tuple[str, str, bool], ...]] = (
+        ("first_line", "first_line", True),
+        ("is_outlier", "is_outlier", True),
+        ("last_line", "last_line", True),
+        ("motor_speed_rad", "motor_speed_rad_per_s", True),
+        ("motor_torque", "motor_torque_Nm", True),
+        ("record", "record", True),
+        ("residual", "residual_Nm", True),
+        ("samples", "samples", True),
+    )
+
+    @property
+    def first_line(self) -> int:
+        """First line of its rows."""
+        return self._get("first_line")
+
+    @property
+    def is_outlier(self) -> bool:
+        """True where it was left out, as none of the others."""
+        return self._get("is_outlier")
+
+    @property
+    def last_line(self) -> int:
+        """Last line of its rows."""
+        return self._get("last_line")
+
+    @property
+    def motor_speed_rad(self) -> float:
+        """Mean speed, lifting positive (rad/s) (1/s)."""
+        return self._get("motor_speed_rad_per_s")
+
+    @property
+    def motor_torque(self) -> float:
+        """Mean torque (N·m)."""
+        return self._get("motor_torque_Nm")
+
+    @property
+    def record(self) -> int:
+        """Its record, counted from 1."""
+        return self._get("record")
+
+    @property
+    def residual(self) -> float:
+        """Recorded minus fitted torque (N·m)."""
+        return self._get("residual_Nm")
+
+    @property
+    def samples(self) -> int:
+        """Rows that it is the mean of."""
+        return self._get("samples")
 
 
 class Stage(Result):
@@ -11366,6 +11874,32 @@ class Violation(Result):
         return self._get("worst_N")
 
 
+class ViscousByDirection(Result):
+    """Friction per speed of each direction."""
+
+    __slots__ = ()
+    _KEYS: ClassVar[tuple[tuple[str, str, bool], ...]] = (
+        ("difference_sigma_Nm_s_per", "difference_sigma_Nm_s_per_rad", True),
+        ("lifting_Nm_s_per", "lifting_Nm_s_per_rad", True),
+        ("lowering_Nm_s_per", "lowering_Nm_s_per_rad", True),
+    )
+
+    @property
+    def difference_sigma_Nm_s_per(self) -> float | None:
+        """Standard deviation of the difference (N·m·s/rad) (rad)."""
+        return self._get("difference_sigma_Nm_s_per_rad")
+
+    @property
+    def lifting_Nm_s_per(self) -> float:
+        """While lifting (N·m·s/rad) (rad)."""
+        return self._get("lifting_Nm_s_per_rad")
+
+    @property
+    def lowering_Nm_s_per(self) -> float:
+        """While lowering (N·m·s/rad) (rad)."""
+        return self._get("lowering_Nm_s_per_rad")
+
+
 class WinchState(Result):
     """State of the winches."""
 
@@ -11700,6 +12234,7 @@ ANSWERS: Mapping[str, tuple[type[Result], ...]] = {
     "explain": (Explanation, CodeList),
     "export": (ExportedFigures, Firmware, LengthTable),
     "fk": (ForwardKinematics,),
+    "friction": (Friction,),
     "identify": (Identification, SelfCalibration),
     "ik": (InverseKinematics, NoHangingPose),
     "import": (ImportedRobot,),

@@ -1776,6 +1776,35 @@ def test_bench(
     )
 
 
+def friction(
+    records: Sequence[Path],
+    *,
+    progress: Progress = None,
+    threads: int | None = None,
+) -> results.Friction:
+    """Identify friction and load of a winch from records of lifting and lowering at constant speeds.
+
+    A record is a CSV with motor_speed_rad_per_s (lifting positive; or _rpm, _deg_per_s) and motor_torque_Nm
+    (against the load positive; or _mNm), and perhaps load_Nm, the torque m g r of the hanging load. With t_s
+    rows are samples: stretches of constant speed are looked for in them, and acceleration and settling are
+    left out; otherwise a row is the mean of such a stretch. Each record without load_Nm has a load of its
+    own. Both directions are needed: lifting alone cannot tell friction from the load.
+
+    Args:
+        records: Records of one winch (CSV), each with a load of its own where load_Nm is not given.
+        progress: True for a line on stderr, or a function `(name, done, parts)`.
+        threads: Threads to calculate with, at most; the result is the same for any number.
+    """
+    return ask(
+        results.Friction,
+        "friction",
+        [*records],
+        {},
+        progress=progress,
+        threads=threads,
+    )
+
+
 def run(
     scenario: Scenario | Path,
     *,
@@ -1844,5 +1873,6 @@ __all__ = [
     "compensate",
     "campaign",
     "test_bench",
+    "friction",
     "run",
 ]

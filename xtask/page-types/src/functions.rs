@@ -140,7 +140,10 @@ fn function(command: &Value) -> Result<String, String> {
     let classes: Vec<String> = classes.split(", ").map(|class| format!("results.{class}")).collect();
     let class = classes.join(" | ");
     let asked = if classes.len() == 1 { class.clone() } else { format!("({})", classes.join(", ")) };
-    let words: Vec<&str> = positional.iter().map(|own| own.name.as_str()).collect();
+    // a list of files is as many words
+    let word_of =
+        |own: &&Argument<'_>| if own.kind == "Sequence[Path]" { format!("*{}", own.name) } else { own.name.clone() };
+    let words: Vec<String> = positional.iter().map(word_of).collect();
     let plain: Vec<&&&Argument<'_>> = keywords.iter().filter(|own| own.output.is_none()).collect();
     let given: Vec<String> =
         plain.iter().map(|own| format!("        {:?}: {},\n", own.option.unwrap_or_default(), own.name)).collect();
@@ -328,7 +331,7 @@ fn identifier(name: &str) -> String {
 }
 
 /// Classes of a command's results, as `_results.py` has them.
-const CLASSES: [(&str, &str); 30] = [
+const CLASSES: [(&str, &str); 31] = [
     ("accuracy", "Accuracy"),
     ("advise", "Advice"),
     ("benchmark", "Benchmark"),
@@ -341,6 +344,7 @@ const CLASSES: [(&str, &str); 30] = [
     ("dynamics", "Dynamics"),
     ("evaluate", "Evaluation"),
     ("fk", "ForwardKinematics"),
+    ("friction", "Friction"),
     ("identify", "Identification, SelfCalibration"),
     ("ik", "InverseKinematics, NoHangingPose"),
     ("initial-tension", "InitialTensions"),

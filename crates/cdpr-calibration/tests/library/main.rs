@@ -15,6 +15,7 @@ mod coverage;
 mod default_ladder;
 mod denied;
 mod elastostatic_oracle;
+mod friction;
 mod gtcable;
 mod identification_oracle;
 mod irma4u;

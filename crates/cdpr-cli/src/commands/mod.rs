@@ -21,6 +21,7 @@ mod evaluate;
 mod explain;
 mod export;
 mod fk;
+mod friction;
 mod identify;
 mod ik;
 mod import;
@@ -114,6 +115,7 @@ commands! {
         compensate: Compensate,
         campaign: Campaign,
         test_bench: TestBench,
+        friction: Friction,
     }
     "A machine in time" {
         run: Run,

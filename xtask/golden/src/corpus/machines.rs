@@ -6,7 +6,7 @@ use crate::group::Group;
 
 /// Groups.
 pub(crate) fn groups() -> Vec<Group> {
-    vec![twin(), laws(), test_bench(), demo()]
+    vec![twin(), laws(), test_bench(), friction(), demo()]
 }
 
 /// The machine of the dissertation.
@@ -80,6 +80,33 @@ fn test_bench() -> Group {
         .write("record.csv", &record())
         .calls("test-bench record.csv --length 10 --pieces %", &["4", "6", "8"])
         .call("test-bench record.csv --length 2")
+}
+
+/// Plateaus of a winch under two loads, lifted and lowered, with friction that grows with the load and falls with speed.
+fn plateaus(loads: &[f64], directions: &[f64]) -> String {
+    let mut text = "motor_speed_rad_per_s,motor_torque_Nm,load_Nm\n".to_owned();
+    let mut row = 0;
+    for load in loads {
+        for speed in [0.5_f64, 1.0, 2.0, 4.0, 8.0, 16.0] {
+            for direction in directions {
+                let friction = 0.04 + 0.05 * load + 8e-4 * speed + 0.03 * (-(speed / 1.5).powi(2)).exp();
+                let shake = 1e-3 * (f64::from((row * 7919 + 13) % 101) / 50.0 - 1.0);
+                row += 1;
+                text +=
+                    &format!("{},{:.6},{load}\n", direction * speed, 0.95 * load + 0.02 + direction * friction + shake);
+            }
+        }
+    }
+    text
+}
+
+fn friction() -> Group {
+    Group::new("friction")
+        .write("both.csv", &plateaus(&[0.2, 1.0], &[1.0, -1.0]))
+        .write("one.csv", &plateaus(&[1.0], &[1.0, -1.0]))
+        .write("lifting.csv", &plateaus(&[0.2, 1.0], &[1.0]))
+        .calls("friction %", &["both.csv", "one.csv", "lifting.csv"])
+        .call("friction one.csv both.csv")
 }
 
 fn demo() -> Group {
