@@ -328,7 +328,7 @@ fn identifier(name: &str) -> String {
 }
 
 /// Classes of a command's results, as `_results.py` has them.
-const CLASSES: [(&str, &str); 30] = [
+const CLASSES: [(&str, &str); 31] = [
     ("accuracy", "Accuracy"),
     ("advise", "Advice"),
     ("benchmark", "Benchmark"),
@@ -341,6 +341,7 @@ const CLASSES: [(&str, &str); 30] = [
     ("dynamics", "Dynamics"),
     ("evaluate", "Evaluation"),
     ("fk", "ForwardKinematics"),
+    ("frequency-response", "FrequencyResponse"),
     ("identify", "Identification, SelfCalibration"),
     ("ik", "InverseKinematics, NoHangingPose"),
     ("initial-tension", "InitialTensions"),

@@ -37,8 +37,6 @@ pub struct Alternative {
 /// Chosen orders with their fit.
 pub(super) struct Chosen {
     pub(super) fit: Refined,
-    /// Criterion of the choice.
-    pub(super) criterion: f64,
     /// Others within twice [`UNDECIDED`].
     pub(super) alternatives: Vec<Alternative>,
 }
@@ -49,8 +47,7 @@ pub(super) fn chosen(points: &[Point], choice: OrderChoice, dependence: f64) -> 
     let given = match choice {
         OrderChoice::Given(orders) => {
             let fit = best(points, orders, unit)?;
-            let (criterion, alternatives) = (criterion(&fit, points.len(), dependence, 1.0), Vec::new());
-            return Some(Chosen { fit, criterion, alternatives });
+            return Some(Chosen { fit, alternatives: Vec::new() });
         }
         OrderChoice::UpTo(most) => most,
     };
@@ -73,7 +70,7 @@ pub(super) fn chosen(points: &[Point], choice: OrderChoice, dependence: f64) -> 
     let others = ranked.iter().filter(|(other, own)| *own != orders && *other < value + 2.0 * UNDECIDED);
     let alternatives =
         others.map(|&(other, orders)| Alternative { orders, difference: other - value }).collect();
-    Some(Chosen { fit, criterion: value, alternatives })
+    Some(Chosen { fit, alternatives })
 }
 
 fn criterion(fit: &Refined, points: usize, dependence: f64, noise: f64) -> f64 {

@@ -80,7 +80,8 @@ fn write(points: &[Point], transfer: &Transfer, equations: &mut DenseEquations) 
     for point in points {
         let value = transfer.response(point.frequency);
         let residual = (value - point.response) / point.sigma;
-        let slopes: Vec<_> = transfer.slopes(point.frequency).iter().map(|slope| slope * value / point.sigma).collect();
+        let mut slopes = transfer.slopes(point.frequency);
+        slopes.iter_mut().for_each(|slope| *slope *= value / point.sigma);
         equations.cost += residual.norm_sqr();
         for j in 0..count {
             equations.gradient[j] += (slopes[j].conj() * residual).re;

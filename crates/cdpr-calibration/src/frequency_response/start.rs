@@ -7,7 +7,7 @@ use super::points::Point;
 use super::transfer::{Orders, Transfer};
 
 /// Rounds; more change the start, not the optimum.
-const ROUNDS: usize = 12;
+const ROUNDS: usize = 6;
 
 /// A transfer function of these orders near the points, at a given delay (s); `None` where the equations do not determine it.
 pub(super) fn start(points: &[Point], orders: Orders, delay: f64, unit: f64) -> Option<Transfer> {
@@ -39,8 +39,8 @@ pub(super) fn start(points: &[Point], orders: Orders, delay: f64, unit: f64) -> 
         let scale: Vec<f64> = matrix.column_iter().map(|column| column.norm().max(f64::MIN_POSITIVE)).collect();
         matrix.column_iter_mut().zip(&scale).for_each(|(mut column, scale)| column /= *scale);
         let factors = matrix.qr();
-        let reduced = factors.q().tr_mul(&right);
-        let mut solution = factors.r().solve_upper_triangular(&reduced)?;
+        factors.q_tr_mul(&mut right);
+        let mut solution = factors.unpack_r().solve_upper_triangular(&right.rows(0, count))?;
         solution.iter_mut().zip(&scale).for_each(|(value, scale)| *value /= scale);
         if !solution.iter().all(|value| value.is_finite()) || solution[0] == 0.0 {
             return None;

@@ -21,6 +21,7 @@ mod evaluate;
 mod explain;
 mod export;
 mod fk;
+mod frequency_response;
 mod identify;
 mod ik;
 mod import;
@@ -114,6 +115,7 @@ commands! {
         compensate: Compensate,
         campaign: Campaign,
         test_bench: TestBench,
+        frequency_response: FrequencyResponse,
     }
     "A machine in time" {
         run: Run,

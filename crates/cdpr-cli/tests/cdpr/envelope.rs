@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use super::{Run, cdpr, cdpr_in, import, running, test_bench};
+use super::{Run, cdpr, cdpr_in, frequency_response, import, running, test_bench};
 
 /// A study with a remark (its machine lacks what the control model has), tolerances and sensors.
 const STUDY: &str = "[control]\nrobot = \"planar-example\"\nmodel = \"elastic\"\n[machine]\nrobot = \"planar-example\"\n[initial]\n\
@@ -68,6 +68,7 @@ const CASES: [(&str, Option<&str>); 48] = [
     ("run scenario.toml --out moved", Some("moving-plate")),
     ("demo --candidates standard --out demo", Some("cablerobot-simulator-helicopter")),
     ("test-bench record.csv --length 10", None),
+    ("frequency-response response.csv", None),
     ("import caspr plate_bodies.xml plate_cables.xml --out plate.toml", Some("plate")),
     ("export csv result", Some("planar-example")),
     ("schema robot", None),
@@ -88,6 +89,7 @@ fn folder() -> tempfile::TempDir {
     );
     write("sweep.toml", SWEEP);
     write("record.csv", &test_bench::record());
+    write("response.csv", &frequency_response::record());
     write("scenario.toml", running::SCENARIO);
     write("plate-in-motion.toml", running::PLATE);
     folder

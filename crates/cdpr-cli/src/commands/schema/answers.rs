@@ -3,7 +3,7 @@
 use cdpr_reports::AnswerSchemas;
 use cdpr_reports::answers::{
     AccuracyAnswer, AdviceAnswer, BenchmarkAnswer, CampaignAnswer, CapabilityAnswer, ChainAnswer, CheckAnswer,
-    CompensationAnswer, DynamicsAnswer, EffectsAnswer, EvaluationAnswer, ExportAnswer, FirmwareAnswer, ForwardAnswer,
+    CompensationAnswer, DynamicsAnswer, EffectsAnswer, EvaluationAnswer, ExportAnswer, FirmwareAnswer, ForwardAnswer, FrequencyResponseAnswer,
     IdentificationAnswer, ImportAnswer, InitialTensionAnswer, InverseAnswer, LoadAnswer, ModesAnswer, NoHangingAnswer,
     PlanAnswer, RobotsAnswer, RunAnswer, SelectionAnswer, SelfCalibrationAnswer, SimulationAnswer, StiffnessAnswer,
     StudyAnswer, TableAnswer, TensionAnswer, TestBenchAnswer, WorkspaceAnswer,
@@ -60,6 +60,7 @@ pub(super) fn schema() -> Schema {
         .with::<CompensationAnswer>("compensate")
         .with::<CampaignAnswer>("campaign")
         .with::<TestBenchAnswer>("test-bench")
+        .with::<FrequencyResponseAnswer>("frequency-response")
         .with::<RunAnswer>("run")
         .with::<ExportAnswer>("export")
         .with::<FirmwareAnswer>("export")
