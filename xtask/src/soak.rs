@@ -45,6 +45,7 @@ const PROPERTIES: &[&str] = &[
     "intervals_of_linear_densities_hold_the_truth",
     "intervals_of_swivel_zeros_hold_the_truth",
     "intervals_of_all_sensors_hold_the_truth",
+    "intervals_of_cutoff_peak_gain_and_pole_hold_the_truth",
 ];
 
 /// Readers that libFuzzer feeds.

@@ -77,9 +77,12 @@ impl DoubtKind {
         match self {
             Self::NotConverged => Verdict::NotConverged,
             Self::NotPredictive => Verdict::NotPredictive,
-            Self::FewPoses | Self::Gross | Self::BeyondAccuracy | Self::OutliersCounted | Self::Law | Self::Coherence => {
-                Verdict::NotTrusted
-            }
+            Self::FewPoses
+            | Self::Gross
+            | Self::BeyondAccuracy
+            | Self::OutliersCounted
+            | Self::Law
+            | Self::Coherence => Verdict::NotTrusted,
             Self::NotIdentifiable | Self::Band => Verdict::NotIdentifiable,
             Self::Found(Severity::Remark) => Verdict::Sound,
             Self::Found(Severity::Distrust) => Verdict::NotTrusted,

@@ -3,11 +3,15 @@
 use nalgebra::{Complex, DMatrix};
 use std::f64::consts::TAU;
 
+use super::CurvePoint;
 use super::curve::slope;
 use super::points::{Point, Points};
 use super::refine::Refined;
 use super::transfer::Transfer;
 use crate::student::NORMAL_95;
+
+/// Steps of a curve.
+const CURVE: usize = 200;
 
 /// A number with its standard deviation.
 #[derive(Clone, Copy, Debug, PartialEq)]
@@ -97,6 +101,18 @@ impl<'a> Covariance<'a> {
         Banded { value, sigma: value * self.sigma(&self.gain_slopes(frequency)) }
     }
 
+    /// The response from one frequency to another (Hz).
+    pub(super) fn curve(&self, first: f64, last: f64) -> Vec<CurvePoint> {
+        let at = |k: usize| {
+            let frequency = first * (last / first).powf(k as f64 / CURVE as f64);
+            let phases: Vec<f64> = self.transfer.slopes(frequency).iter().map(|slope| slope.im).collect();
+            let response = self.transfer.response(frequency);
+            let (gain_sigma, phase_sigma) = (self.gain_at(frequency).sigma, self.sigma(&phases));
+            CurvePoint { frequency, response, gain_sigma, phase_sigma }
+        };
+        (0..=CURVE).map(at).collect()
+    }
+
     /// Frequency at which the gain crosses a fixed part of the gain at another frequency (Hz).
     pub(super) fn crossing(&self, frequency: f64, reference: f64) -> Banded {
         let (here, there) = (self.gain_slopes(frequency), self.gain_slopes(reference));
@@ -109,7 +125,8 @@ impl<'a> Covariance<'a> {
         // the slopes are analytic: differences of them lose half the digits of no more than a standard deviation
         let h = 1e-4 * frequency;
         let (behind, before) = (self.gain_slopes(frequency + h), self.gain_slopes(frequency - h));
-        let slopes: Vec<f64> = behind.iter().zip(before).map(|(behind, before)| (behind - before) / (2.0 * h)).collect();
+        let slopes: Vec<f64> =
+            behind.iter().zip(before).map(|(behind, before)| (behind - before) / (2.0 * h)).collect();
         let bend = (slope(self.transfer, frequency + h) - slope(self.transfer, frequency - h)) / (2.0 * h);
         Banded { value: frequency, sigma: self.sigma(&slopes) / bend.abs() }
     }

@@ -65,7 +65,7 @@ impl Solution {
         let level = 20.0 * (model.transfer.response(last).norm() / reference.value).log10();
         let words = format!(
             "no cut-off: at {last:.2} Hz, the highest frequency of trusted coherence, the gain is {level:+.1} dB against that at {first:.2} Hz, and it is nowhere below −3 dB: the \
-             cut-off lies above; excite higher frequencies"
+             cut-off lies above; excite higher frequencies, or with more amplitude there"
         );
         Some(Doubt::new(DoubtKind::Band, words))
     }
@@ -73,7 +73,8 @@ impl Solution {
     /// A resonance sharper than the record resolves.
     fn resolution_doubt(&self, model: &Model) -> Option<Doubt> {
         let [first, last] = self.band?;
-        let inside = model.poles.iter().filter(|pole| pole.value.im > 0.0 && (first..=last).contains(&pole.frequency()));
+        let inside =
+            model.poles.iter().filter(|pole| pole.value.im > 0.0 && (first..=last).contains(&pole.frequency()));
         let width = |pole: &&Root| 2.0 * pole.damping().abs() * pole.frequency();
         let sharpest = inside.min_by(|a, b| width(a).total_cmp(&width(b)))?;
         let width = width(&sharpest);
@@ -205,7 +206,7 @@ impl Model {
             let name = |one: &super::Alternative| format!("{} (criterion {:+.1})", one.orders, one.difference);
             let names: Vec<String> = self.alternatives.iter().take(4).map(name).collect();
             told.push(format!(
-                "the record does not tell {} from {}: differences of the criterion below 4 decide little",
+                "the record does not tell {} from {}: differences of the criterion below 2 decide nothing",
                 self.transfer.orders(),
                 names.join(", ")
             ));

@@ -7,7 +7,9 @@ use thiserror::Error;
 #[non_exhaustive]
 pub enum InputError {
     /// Series of different lengths.
-    #[error("{times} times, {input} values of the input and {output} of the output: there has to be one of each per row")]
+    #[error(
+        "{times} times, {input} values of the input and {output} of the output: there has to be one of each per row"
+    )]
     Lengths {
         /// Number of times.
         times: usize,
@@ -31,7 +33,9 @@ pub enum InputError {
         needed: usize,
     },
     /// Time that stands still or runs back.
-    #[error("row {row}: the time {after} s does not lie behind that of the row before, {before} s: rows are out of order or repeated")]
+    #[error(
+        "row {row}: the time {after} s does not lie behind that of the row before, {before} s: rows are out of order or repeated"
+    )]
     TimeOrder {
         /// Row, from 1.
         row: usize,

@@ -5,12 +5,12 @@
 //! * by windows (H1: cross spectrum by the input's spectrum, over Hann's windows that overlap by half), for sweeps, noise and sums of sines, or
 //! * by sines fitted to each step of a stepped sine.
 //!
-//! Each [`Point`] has its coherence γ² and the standard deviation |H| √((1 − γ²)/(2 n γ²)) of its n averages (Bendat and Piersol 2010, ch. 9). To the
+//! Each [`Point`] has its coherence γ² and the standard deviation |H| √((1 − γ²)/(2 n γ²)) of its n averages (Bendat and Piersol 2010, ch. 9), noise being smoothed over neighbouring frequencies. To the
 //! points a rational function with a delay is fitted by weighted complex least squares, from a start by Sanathanan's and Koerner's linear equations; its orders
 //! are chosen by Schwarz's criterion. Cut-off, peak and poles follow from the function, with 95 % bands by its covariance.
 
+mod answered;
 mod bands;
-mod blur;
 mod curve;
 mod doubts;
 mod error;
@@ -39,7 +39,7 @@ pub use error::InputError;
 use orders::Chosen;
 pub use orders::{Alternative, OrderChoice};
 pub use points::Point;
-use points::Points;
+use points::{LEAST_SIGMA, Points};
 pub use record::Record;
 #[cfg(feature = "files")]
 pub use record_file::{Columns, RecordReading};
@@ -51,8 +51,8 @@ use windowed::Windows;
 /// Trusted points that a model needs at least.
 const FEWEST_POINTS: usize = 8;
 
-/// Fits with the windows' blur taken off; the second one changes the blur by its square.
-const ROUNDS: usize = 3;
+/// Fits with the blur of windows taken off, the second one from the first: what is left of the blur is a product of two small numbers.
+const SHARPENED: usize = 2;
 
 /// Way to estimate the points of a response.
 #[derive(Clone, Copy, Debug, PartialEq, Eq)]
@@ -101,8 +101,23 @@ pub struct Model {
     pub misfit: f64,
     /// Other orders that the record does not tell from these.
     pub alternatives: Vec<Alternative>,
+    /// Its response over the points' frequencies, evenly on a logarithmic scale, for drawings.
+    pub curve: Vec<CurvePoint>,
     /// False where the search ended before the optimum.
     pub converged: bool,
+}
+
+/// A model's response at one frequency.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CurvePoint {
+    /// Frequency (Hz).
+    pub frequency: f64,
+    /// Output per input.
+    pub response: Complex<f64>,
+    /// Standard deviation of the gain.
+    pub gain_sigma: f64,
+    /// Standard deviation of the phase (rad).
+    pub phase_sigma: f64,
 }
 
 /// Largest gain of the model in the band.
@@ -168,60 +183,64 @@ pub fn identify(record: &Record, settings: &Settings) -> Result<Solution, InputE
     let dwells = Dwells::of(&even);
     let is_stepped = dwells.are_a_stepped_sine();
     let method = settings.method.unwrap_or(if is_stepped { Method::Sine } else { Method::H1 });
-    let (points, fit, blur, windows) = match method {
+    let response = match method {
         Method::Sine => {
-            let points = dwells.points(&even, settings)?;
-            let fit = fitted(&points, &points.all, settings);
-            (points, fit, 0.0, 0)
+            let points = dwells.points(&even)?.trusted_from(settings.coherence);
+            let fit = fitted(&points, settings, None);
+            Estimate { sharp: points.clone(), points, fit, windows: 0 }
         }
-        Method::H1 => windowed_fit(&even, settings)?,
+        Method::H1 => windowed_estimate(&even, settings)?,
     };
-    let mut solution = Solution::of_points(method, &even, &points, settings);
-    (solution.windows, solution.blur) = (windows, blur);
-    if let Some((chosen, misfit)) = fit {
-        solution.add_model(&chosen, &points, misfit);
+    let mut solution = Solution::of(method, &even, &response, settings);
+    if let Some(fit) = &response.fit {
+        solution.add_model(fit, &response.sharp);
     }
     solution.judge();
     Ok(solution)
 }
 
-/// Chosen orders with their fit, and its misfit.
-type Fitted = Option<(Chosen, f64)>;
-
-/// Points by windows; a fit to them with the windows' blur taken off; the largest blur, and the number of windows.
-fn windowed_fit(even: &Even, settings: &Settings) -> Result<(Points, Fitted, f64, usize), InputError> {
-    let windows = Windows::new(even, settings)?;
-    let input = windows.spectra(&even.input);
-    let points = windowed::points(even, &windows, &input, settings);
-    let mut sharp = points.all.clone();
-    let mut fit = fitted(&points, &sharp, settings);
-    let mut largest = 0.0;
-    for _ in 1..ROUNDS {
-        let Some((chosen, _)) = &fit else { break };
-        let blur = blur::blur(even, &windows, &input, &points.all, &chosen.fit.transfer);
-        let relative = |(point, blur): (&Point, &Complex<f64>)| if point.is_trusted { blur.norm() / point.gain() } else { 0.0 };
-        largest = points.all.iter().zip(&blur).map(relative).fold(0.0, f64::max);
-        if !(largest < 1.0) {
-            break;
-        }
-        for (sharp, (point, blur)) in sharp.iter_mut().zip(points.all.iter().zip(&blur)) {
-            sharp.response = point.response - blur;
-        }
-        fit = fitted(&points, &sharp, settings);
-    }
-    Ok((points, fit, largest, windows.count))
+/// Points of a method, and a fit to them.
+struct Estimate {
+    points: Points,
+    /// The same without the windows' blur, as they are fitted.
+    sharp: Points,
+    /// `None` where too few points are trusted.
+    fit: Option<Chosen>,
+    /// Number of windows; 0 for a stepped sine.
+    windows: usize,
 }
 
-/// Fit to points that may have been sharpened; `None` where too few are trusted.
-fn fitted(points: &Points, sharp: &[Point], settings: &Settings) -> Fitted {
-    let used: Vec<Point> = points.fitted.iter().map(|&k| sharp[k]).collect();
-    if used.iter().filter(|point| point.is_trusted).count() < FEWEST_POINTS {
-        return None;
+/// The estimate by windows, their blur taken off.
+///
+/// A window sees answers to what happened before it, and averages the response over its resolution: near a light resonance that is more than noise leaves, and counts
+/// as noise besides. So the fitted function answers the recorded input; what it leaves of the output is estimated as the output was, and added to its response.
+fn windowed_estimate(even: &Even, settings: &Settings) -> Result<Estimate, InputError> {
+    let windows = Windows::new(even, settings)?;
+    let input = windows.spectra(&even.input);
+    let points = windowed::points(even.step, &windows, &input, &even.output);
+    let points = points.trusted_from(settings.coherence);
+    let mut estimate =
+        Estimate { fit: fitted(&points, settings, None), sharp: points.clone(), points, windows: windows.count };
+    for round in 0..SHARPENED {
+        let Some(fit) = &estimate.fit else { break };
+        let transfer = &fit.fit.transfer;
+        let mut sharp = windowed::points(even.step, &windows, &input, &answered::remainder(even, transfer));
+        for (sharp, point) in sharp.all.iter_mut().zip(&estimate.points.all) {
+            sharp.response += transfer.response(point.frequency);
+            sharp.is_trusted = point.is_trusted;
+            sharp.sigma = sharp.sigma.max(LEAST_SIGMA * sharp.gain());
+        }
+        let start = (round > 0).then(|| transfer.clone());
+        let Some(fit) = fitted(&sharp, settings, start) else { break };
+        estimate = Estimate { sharp, fit: Some(fit), ..estimate };
     }
-    let chosen = orders::chosen(&used, settings.orders, points.dependence())?;
-    let freedom = 2.0 * used.len() as f64 - chosen.fit.equations.gradient.len() as f64;
-    let misfit = chosen.fit.cost / freedom.max(1.0);
-    Some((chosen, misfit))
+    Ok(estimate)
+}
+
+/// Fit to points, of the orders of a function near by where there is one; `None` where too few points are trusted.
+fn fitted(points: &Points, settings: &Settings, near: Option<Transfer>) -> Option<Chosen> {
+    let trusted = points.fitted.iter().filter(|&&k| points.all[k].is_trusted).count();
+    if trusted < FEWEST_POINTS { None } else { orders::chosen(points, settings.orders, near) }
 }
 
 impl Settings {
@@ -244,14 +263,23 @@ impl Settings {
     }
 }
 
+impl Estimate {
+    /// Largest difference that sharpening made at a trusted point, relative to the gain.
+    fn blur(&self) -> f64 {
+        let pairs = self.points.all.iter().zip(&self.sharp.all).filter(|(point, _)| point.is_trusted);
+        pairs.map(|(point, sharp)| (point.response - sharp.response).norm() / sharp.gain()).fold(0.0, f64::max)
+    }
+}
+
 impl Solution {
-    fn of_points(method: Method, even: &Even, points: &Points, settings: &Settings) -> Self {
+    fn of(method: Method, even: &Even, estimate: &Estimate, settings: &Settings) -> Self {
+        let points = &estimate.points;
         let trusted: Vec<&Point> = points.all.iter().filter(|point| point.is_trusted).collect();
         let band = trusted.first().zip(trusted.last()).map(|(first, last)| [first.frequency, last.frequency]);
         Self {
             method,
             points: points.all.clone(),
-            windows: 0,
+            windows: estimate.windows,
             resolution: points.resolution,
             duration: even.duration(),
             step: even.step,
@@ -263,14 +291,15 @@ impl Solution {
             reference_gain: None,
             cutoff: None,
             peak: None,
-            blur: 0.0,
+            blur: estimate.blur(),
             doubts: Vec::new(),
             remarks: Vec::new(),
         }
     }
 
     /// Adds the model and what follows from it.
-    fn add_model(&mut self, chosen: &Chosen, points: &Points, misfit: f64) {
+    fn add_model(&mut self, chosen: &Chosen, points: &Points) {
+        let misfit = chosen.misfit;
         let (fit, Some(band)) = (&chosen.fit, self.band) else { return };
         let Some(covariance) = Covariance::of(fit, points, misfit) else { return };
         let curve = Curve::of(&fit.transfer, band);
@@ -285,6 +314,7 @@ impl Solution {
             zeros: covariance.zeros(),
             misfit,
             alternatives: chosen.alternatives.clone(),
+            curve: covariance.curve(points.all[0].frequency, points.all[points.all.len() - 1].frequency),
             converged: fit.converged,
             transfer: fit.transfer.clone(),
         });

@@ -1,11 +1,12 @@
 //! Choice of the numbers of poles and zeros by Schwarz's criterion (BIC; Schwarz 1978).
 
+use nalgebra::Complex;
 use std::f64::consts::{PI, TAU};
 
-use super::points::Point;
+use super::points::{Point, Points};
 use super::refine::{Refined, refined};
 use super::start::start;
-use super::transfer::Orders;
+use super::transfer::{Orders, Transfer};
 
 /// Delays from which fits start, as parts of the longest that the phase allows.
 const STARTS: [f64; 4] = [0.0, 0.3, 0.6, 0.9];
@@ -37,27 +38,35 @@ pub struct Alternative {
 /// Chosen orders with their fit.
 pub(super) struct Chosen {
     pub(super) fit: Refined,
-    /// Others within twice [`UNDECIDED`].
+    /// Mean square of its residuals in standard deviations.
+    pub(super) misfit: f64,
+    /// Others within [`UNDECIDED`].
     pub(super) alternatives: Vec<Alternative>,
 }
 
-/// Fits all orders to points whose errors make so many count as one, and keeps the best; `None` where no fit succeeds.
-pub(super) fn chosen(points: &[Point], choice: OrderChoice, dependence: f64) -> Option<Chosen> {
+/// Fits all orders to points and keeps the best; only the orders of a function near by where there is one. `None`
+/// where no fit succeeds.
+pub(super) fn chosen(points: &Points, choice: OrderChoice, near: Option<Transfer>) -> Option<Chosen> {
+    let dependence = points.dependence();
+    let resolution = points.resolution;
+    let points: Vec<Point> = points.fitted.iter().map(|&k| points.all[k]).collect();
+    let points = points.as_slice();
     let unit = TAU * (points.first()?.frequency * points.last()?.frequency).sqrt();
-    let given = match choice {
-        OrderChoice::Given(orders) => {
-            let fit = best(points, orders, unit)?;
-            return Some(Chosen { fit, alternatives: Vec::new() });
-        }
-        OrderChoice::UpTo(most) => most,
+    let most = match (choice, near) {
+        (_, Some(near)) => return Some(Chosen::of(refined(points, near)?, points, Vec::new())),
+        (OrderChoice::Given(orders), None) => return Some(Chosen::of(best(points, orders, unit)?, points, Vec::new())),
+        (OrderChoice::UpTo(most), None) => most,
     };
     let thinned: Vec<Point> = points.iter().step_by(points.len().div_ceil(MOST_POINTS)).copied().collect();
     let count = thinned.len();
-    let fits: Vec<(Orders, Refined)> =
-        all_orders(given).filter_map(|orders| Some((orders, best(&thinned, orders, unit)?))).collect();
+    let mut fits: Vec<(Orders, Refined)> =
+        all_orders(most).filter_map(|orders| Some((orders, best(&thinned, orders, unit)?))).collect();
+    fits.retain(|(_, fit)| !has_hidden_pair(&fit.transfer, resolution));
+    if fits.iter().any(|(_, fit)| fit.converged) {
+        fits.retain(|(_, fit)| fit.converged);
+    }
     // what no order explains counts as noise
-    let left = |fit: &Refined| fit.cost / (2.0 * count as f64 - fit.equations.gradient.len() as f64).max(1.0);
-    let noise = fits.iter().map(|(_, fit)| left(fit)).fold(f64::INFINITY, f64::min).max(1.0);
+    let noise = fits.iter().map(|(_, fit)| fit.mean_square(count)).fold(f64::INFINITY, f64::min).max(1.0);
     let mut ranked: Vec<(f64, Orders)> =
         fits.iter().map(|(orders, fit)| (criterion(fit, count, dependence, noise), *orders)).collect();
     ranked.sort_by(|a, b| a.0.total_cmp(&b.0));
@@ -67,15 +76,27 @@ pub(super) fn chosen(points: &[Point], choice: OrderChoice, dependence: f64) -> 
     let &(value, orders) = near.min_by_key(|(_, orders)| (size(orders), usize::from(orders.has_delay)))?;
     let (_, coarse) = fits.into_iter().find(|(other, _)| *other == orders)?;
     let fit = if count == points.len() { coarse } else { refined(points, coarse.transfer)? };
-    let others = ranked.iter().filter(|(other, own)| *own != orders && *other < value + 2.0 * UNDECIDED);
-    let alternatives =
-        others.map(|&(other, orders)| Alternative { orders, difference: other - value }).collect();
-    Some(Chosen { fit, alternatives })
+    let others = ranked.iter().filter(|(other, own)| *own != orders && *other < value + UNDECIDED);
+    let alternatives = others.map(|&(other, orders)| Alternative { orders, difference: other - value }).collect();
+    Some(Chosen::of(fit, points, alternatives))
+}
+
+impl Chosen {
+    fn of(fit: Refined, points: &[Point], alternatives: Vec<Alternative>) -> Self {
+        Self { misfit: fit.mean_square(points.len()), fit, alternatives }
+    }
 }
 
 fn criterion(fit: &Refined, points: usize, dependence: f64, noise: f64) -> f64 {
     let rows = 2.0 * points as f64 / dependence;
     fit.cost / (dependence * noise) + fit.equations.gradient.len() as f64 * rows.ln()
+}
+
+/// True of a function with a pole so near the imaginary axis and a zero that no point shows them: both within the resolution (Hz).
+fn has_hidden_pair(transfer: &Transfer, resolution: f64) -> bool {
+    let (zeros, width) = (transfer.zeros(), TAU * resolution);
+    let is_hidden = |pole: Complex<f64>| zeros.iter().any(|zero| (pole - zero).norm() < width);
+    transfer.poles().into_iter().any(|pole| pole.im > 0.0 && 2.0 * pole.re.abs() < width && is_hidden(pole))
 }
 
 fn all_orders(most: usize) -> impl Iterator<Item = Orders> {
@@ -92,7 +113,7 @@ fn best(points: &[Point], orders: Orders, unit: f64) -> Option<Refined> {
     let longest = longest_delay(points);
     let starts = if orders.has_delay && longest > 0.0 { &STARTS[..] } else { &STARTS[..1] };
     let fits = starts.iter().filter_map(|part| refined(points, start(points, orders, part * longest, unit)?));
-    fits.filter(|fit| fit.transfer.gain.is_finite()).min_by(|a, b| a.cost.total_cmp(&b.cost))
+    fits.min_by(|a, b| b.converged.cmp(&a.converged).then(a.cost.total_cmp(&b.cost)))
 }
 
 /// Delay that the phase of the trusted points has, if all of it is delay (s).

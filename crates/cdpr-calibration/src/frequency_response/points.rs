@@ -30,6 +30,7 @@ impl Point {
 }
 
 /// Points of a method, and those of them that a model is fitted to.
+#[derive(Clone)]
 pub(super) struct Points {
     /// All points, ascending.
     pub(super) all: Vec<Point>,
@@ -41,10 +42,16 @@ pub(super) struct Points {
     pub(super) resolution: f64,
 }
 
-/// Floor of standard deviations relative to the gain: records without noise are no better than arithmetic on them.
-pub(super) const LEAST_SIGMA: f64 = 1e-6;
+/// Least standard deviation relative to the gain: what the input does between samples is not known any better.
+pub(super) const LEAST_SIGMA: f64 = 5e-4;
 
 impl Points {
+    /// The points, trusted from a coherence on.
+    pub(super) fn trusted_from(mut self, limit: f64) -> Self {
+        self.all.iter_mut().for_each(|point| point.is_trusted = point.coherence >= limit);
+        self
+    }
+
     /// Number of fitted points that count as one for a smooth function, as neighbours err together.
     pub(super) fn dependence(&self) -> f64 {
         let variance = |k: usize| 2.0 * self.all[self.fitted[k]].sigma.powi(2);

@@ -21,6 +21,13 @@ pub(super) struct Refined {
     pub(super) converged: bool,
 }
 
+impl Refined {
+    /// Mean square of the residuals of so many points, in standard deviations.
+    pub(super) fn mean_square(&self, points: usize) -> f64 {
+        self.cost / (2.0 * points as f64 - self.equations.gradient.len() as f64).max(1.0)
+    }
+}
+
 /// Searches from a function on.
 pub(super) fn refined(points: &[Point], from: Transfer) -> Option<Refined> {
     let equations = DenseEquations::new(from.parameters().len());

@@ -4,9 +4,9 @@ use nalgebra::{Complex, DMatrix, DVector};
 use std::f64::consts::TAU;
 use std::ops::Range;
 
+use super::InputError;
 use super::points::{LEAST_SIGMA, Point, Points};
 use super::sampling::Even;
-use super::{InputError, Settings};
 
 /// Cycles of a step at least.
 const CYCLES: usize = 5;
@@ -68,14 +68,14 @@ impl Dwells {
         self.found.len() >= STEPS && self.covered >= COVERED
     }
 
-    /// Points at the steps' frequencies.
-    pub(super) fn points(&self, even: &Even, settings: &Settings) -> Result<Points, InputError> {
+    /// Points at the steps' frequencies, none of them trusted yet.
+    pub(super) fn points(&self, even: &Even) -> Result<Points, InputError> {
         if !self.are_a_stepped_sine() {
             return Err(InputError::NoSteps { found: self.found.len(), percent: 100.0 * self.covered });
         }
         let mut steps: Vec<Measured> = self.found.iter().filter_map(|dwell| dwell.measured(even)).collect();
         steps.sort_by(|a, b| a.frequency.total_cmp(&b.frequency));
-        let all: Vec<Point> = (0..steps.len()).map(|k| point(&steps, k, settings)).collect();
+        let all: Vec<Point> = (0..steps.len()).map(|k| point(&steps, k)).collect();
         let distance = all.windows(2).map(|pair| pair[1].frequency - pair[0].frequency).filter(|gap| *gap > 0.0);
         let resolution = distance.fold(f64::INFINITY, f64::min);
         let fitted = (0..all.len()).collect();
@@ -167,14 +167,14 @@ impl Dwell {
 }
 
 /// A step as a point; the noise of a block is that of the steps around it, weighed by their blocks.
-fn point(steps: &[Measured], k: usize, settings: &Settings) -> Point {
+fn point(steps: &[Measured], k: usize) -> Point {
     let near = &steps[k.saturating_sub(SMOOTHED)..(k + SMOOTHED + 1).min(steps.len())];
     let freedom = |step: &Measured| (step.blocks - 1) as f64;
     let noise = near.iter().map(|step| freedom(step) * step.noise).sum::<f64>() / near.iter().map(freedom).sum::<f64>();
     let step = &steps[k];
     let sigma = (0.5 * noise / step.length / step.input).sqrt().max(LEAST_SIGMA * step.response.norm());
     let Measured { frequency, response, coherence, .. } = *step;
-    Point { frequency, response, coherence, sigma, is_trusted: coherence >= settings.coherence }
+    Point { frequency, response, coherence, sigma, is_trusted: false }
 }
 
 /// Complex amplitude of a sine in rows of a series, beside a mean and a drift; `None` where rows do not determine it.

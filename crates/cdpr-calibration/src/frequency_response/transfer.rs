@@ -55,7 +55,6 @@ impl Transfer {
         Orders { poles: self.denominator.len(), zeros: self.numerator.len(), has_delay: self.has_delay }
     }
 
-
     /// j ω in the unit of the polynomials.
     fn place(&self, frequency: f64) -> Complex<f64> {
         Complex::new(0.0, TAU * frequency / self.unit)
@@ -65,10 +64,14 @@ impl Transfer {
     pub(super) fn slopes(&self, frequency: f64) -> Vec<Complex<f64>> {
         let s = self.place(frequency);
         let (below, above) = (polynomial(&self.denominator, s), polynomial(&self.numerator, s));
-        let powers = |count: usize| (1..=count as i32).map(move |k| s.powi(k));
         let mut slopes = vec![Complex::from(1.0 / self.gain)];
-        slopes.extend(powers(self.denominator.len()).map(|power| -power / below));
-        slopes.extend(powers(self.numerator.len()).map(|power| power / above));
+        for (count, first) in [(self.denominator.len(), -s / below), (self.numerator.len(), s / above)] {
+            let mut slope = first;
+            for _ in 0..count {
+                slopes.push(slope);
+                slope *= s;
+            }
+        }
         slopes.extend(self.has_delay.then_some(-s));
         slopes
     }
@@ -156,7 +159,11 @@ fn roots(coefficients: &[f64]) -> Vec<Complex<f64>> {
     // pairs have the same size to rounding
     let size = |root: &Complex<f64>| (root.norm() * 1e9).round();
     roots.sort_by(|a, b| {
-        let by_size = if (a.norm() / b.norm() - 1.0).abs() < 1e-9 { std::cmp::Ordering::Equal } else { size(a).total_cmp(&size(b)) };
+        let by_size = if (a.norm() / b.norm() - 1.0).abs() < 1e-9 {
+            std::cmp::Ordering::Equal
+        } else {
+            size(a).total_cmp(&size(b))
+        };
         by_size.then(b.im.total_cmp(&a.im))
     });
     roots

@@ -57,7 +57,7 @@ impl Windows {
     }
 
     /// Distance of bins (Hz) at this distance of samples (s).
-    pub(super) fn resolution(&self, step: f64) -> f64 {
+    fn resolution(&self, step: f64) -> f64 {
         1.0 / (self.length as f64 * step)
     }
 
@@ -100,12 +100,12 @@ impl Spectra {
     }
 
     /// H1 at a bin.
-    pub(super) fn response(&self, output: &Self, i: usize) -> Complex<f64> {
+    fn response(&self, output: &Self, i: usize) -> Complex<f64> {
         self.product(i, output, i) / self.power(i)
     }
 
     /// Bins that the input excites.
-    pub(super) fn excited(&self) -> Vec<usize> {
+    fn excited(&self) -> Vec<usize> {
         let bins = FIRST_BIN..self.0[0].len();
         let powers: Vec<f64> = bins.clone().map(|i| self.power(i)).collect();
         let most = powers.iter().copied().fold(0.0, f64::max);
@@ -141,9 +141,9 @@ impl<'a> Noise<'a> {
     }
 }
 
-/// Points of the estimate at all bins that the input excites.
-pub(super) fn points(even: &Even, windows: &Windows, input: &Spectra, settings: &Settings) -> Points {
-    let output = windows.spectra(&even.output);
+/// Points of the estimate, none of them trusted yet, at all bins that the input excites; `step` is the distance of samples (s).
+pub(super) fn points(step: f64, windows: &Windows, input: &Spectra, output: &[f64]) -> Points {
+    let output = windows.spectra(output);
     let bins = input.excited();
     let noise = Noise::new(windows, input);
     let shares: Vec<f64> = bins.iter().map(|&i| noise.covariance(i, i).re).collect();
@@ -162,8 +162,8 @@ pub(super) fn points(even: &Even, windows: &Windows, input: &Spectra, settings: 
             let explained = response.norm_sqr() * input.power(bins[k]);
             let coherence = (explained / output.power(bins[k])).min(1.0);
             let sigma = (0.5 * powers[k] * shares[k]).sqrt().max(LEAST_SIGMA * response.norm());
-            let frequency = bins[k] as f64 * windows.resolution(even.step);
-            Point { frequency, response, coherence, sigma, is_trusted: coherence >= settings.coherence }
+            let frequency = bins[k] as f64 * windows.resolution(step);
+            Point { frequency, response, coherence, sigma, is_trusted: false }
         })
         .collect();
     let fitted = independent(&bins, input);
@@ -174,13 +174,14 @@ pub(super) fn points(even: &Even, windows: &Windows, input: &Spectra, settings: 
         covariance * (powers[pair[0]] * powers[pair[1]]).sqrt()
     };
     let next = fitted.windows(2).map(next).chain([Complex::default()]).collect();
-    Points { all, fitted, next, resolution: windows.resolution(even.step) }
+    Points { all, fitted, next, resolution: windows.resolution(step) }
 }
 
 /// Means over bins near each other.
 fn smoothed(bins: &[usize], raw: &[f64]) -> Vec<f64> {
     let around = |k: usize| {
-        let near = (0..bins.len()).skip(k.saturating_sub(SMOOTHED)).take_while(|&other| bins[other] <= bins[k] + SMOOTHED);
+        let near =
+            (0..bins.len()).skip(k.saturating_sub(SMOOTHED)).take_while(|&other| bins[other] <= bins[k] + SMOOTHED);
         let near: Vec<f64> = near.filter(|&other| bins[other] + SMOOTHED >= bins[k]).map(|other| raw[other]).collect();
         near.iter().sum::<f64>() / near.len() as f64
     };

@@ -14,10 +14,12 @@ use crate::file_kind::FileKind;
 use crate::files;
 use crate::keyword::keyword;
 use crate::numbers::{Unreadable, finite_number};
+use crate::session::command_line;
 
 const EXAMPLES: &str = "\
 Examples:
   cdpr frequency-response record.csv
+  cdpr frequency-response record.csv --report response.html
   cdpr frequency-response record.csv --window 4 --coherence 0.8
   cdpr frequency-response record.csv --input current_A --output tension_N_3 --orders 2,0,delay
   cdpr frequency-response stepped.csv --method sine --format json";
@@ -62,6 +64,10 @@ pub(crate) struct Arguments {
     /// Numbers of poles and zeros in place of a choice: 2,0 or with a delay 2,0,delay.
     #[arg(long, value_name = "ORDERS", value_parser = orders)]
     orders: Option<Orders>,
+
+    /// Writes a page with gain, phase and coherence over frequency.
+    #[arg(long, value_name = "FILE")]
+    report: Option<PathBuf>,
 }
 
 /// Orders as `2,0` or `2,0,delay`.
@@ -94,5 +100,13 @@ pub(crate) fn run(arguments: Arguments, output: &mut Output) -> Result<ExitCode,
     let settings = Settings { method, window, coherence, orders };
     let solution = identify(&reading.record, &settings).map_err(|error| Failure::refused(&name, &error))?;
     let samples = reading.record.times.len();
-    output.answer(&FrequencyResponseAnswer::new(solution, name, samples, columns.input, columns.output))
+    let report = arguments.report.as_ref().map(|path| path.display().to_string());
+    let answer = FrequencyResponseAnswer::new(solution, name, samples, columns.input, columns.output);
+    let answer = answer.with_report(report);
+    if let Some(path) = &arguments.report {
+        let page = answer.page(&command_line(), env!("CARGO_PKG_VERSION"));
+        let page = page.map_err(|error| Failure::unwritable("the page of the response", &error))?;
+        files::write(path, page.as_bytes())?;
+    }
+    output.answer(&answer)
 }

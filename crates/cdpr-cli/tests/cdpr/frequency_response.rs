@@ -57,7 +57,9 @@ fn cutoff_and_peak_of_a_record_are_those_of_the_closed_form() {
     let band = &answer["cutoff_band_Hz"];
     assert!(band[0].as_f64().unwrap() < number("cutoff_Hz") && number("cutoff_Hz") < band[1].as_f64().unwrap());
     let points = answer["points"].as_array().unwrap();
-    assert!(points.len() > 50 && points.iter().all(|point| (0.0..=1.0).contains(&point["coherence"].as_f64().unwrap())));
+    assert!(
+        points.len() > 50 && points.iter().all(|point| (0.0..=1.0).contains(&point["coherence"].as_f64().unwrap()))
+    );
 }
 
 #[test]
@@ -100,7 +102,8 @@ fn records_that_do_not_tell_a_cutoff_are_answered_by_why() {
 #[test]
 fn records_that_will_not_do_are_refused_with_their_line() {
     let whole = record();
-    let gap: String = whole.lines().enumerate().filter(|(k, _)| !(300..310).contains(k)).map(|(_, l)| format!("{l}\n")).collect();
+    let gap: String =
+        whole.lines().enumerate().filter(|(k, _)| !(300..310).contains(k)).map(|(_, l)| format!("{l}\n")).collect();
     let exchanged = {
         let mut lines: Vec<&str> = whole.lines().collect();
         lines.swap(50, 51);

@@ -16,7 +16,7 @@ use crate::keys::WarningKeys;
 #[derive(Serialize, JsonSchema)]
 #[expect(non_snake_case, reason = "keys carry their units")]
 #[schemars(rename = "ResponsePoint")]
-pub(super) struct PointAnswer {
+struct PointAnswer {
     /// Frequency (Hz).
     frequency_Hz: f64,
     /// Gain (output's unit per input's unit).
@@ -117,7 +117,7 @@ pub struct FrequencyResponseAnswer {
     #[serde(skip)]
     verdict: Verdict,
     /// Reason of a negative answer.
-    reason: Option<String>,
+    pub(super) reason: Option<String>,
     /// File of the record.
     record: String,
     /// Column of the input.

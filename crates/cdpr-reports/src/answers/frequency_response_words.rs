@@ -33,7 +33,7 @@ pub(super) fn figures(answer: &FrequencyResponseAnswer) -> Vec<String> {
             100.0 * solution.trusted_share
         )
     });
-    let unit = format!("{} per {}", unit_of(&answer.output), unit_of(&answer.input));
+    let unit = gain_unit(&answer.input, &answer.output);
     let reference = solution.reference_gain.zip(solution.band).map(|(gain, [first, _])| {
         format!("reference: gain {} {unit} at {} Hz, the lowest trusted frequency", told(gain), significant(first, 3))
     });
@@ -45,8 +45,13 @@ pub(super) fn figures(answer: &FrequencyResponseAnswer) -> Vec<String> {
     [band, reference, cutoff, peak].into_iter().flatten().collect()
 }
 
+/// Unit of a gain between two columns.
+pub(super) fn gain_unit(input: &str, output: &str) -> String {
+    format!("{} per {}", unit_of(output), unit_of(input))
+}
+
 /// Unit at the end of a column's name; the name where there is none.
-pub(super) fn unit_of(column: &str) -> String {
+fn unit_of(column: &str) -> String {
     let unit = column.rsplit_once('_').map_or(column, |(_, unit)| unit);
     match unit {
         "Nm" => "N·m".to_owned(),
@@ -63,7 +68,9 @@ fn told(number: Banded) -> String {
 
 pub(super) fn model_words(model: &Model) -> String {
     let delay = match model.delay {
-        Some(delay) => format!("delay {} ± {} ms", significant(1e3 * delay.value, 3), significant(1e3 * delay.sigma, 2)),
+        Some(delay) => {
+            format!("delay {} ± {} ms", significant(1e3 * delay.value, 3), significant(1e3 * delay.sigma, 2))
+        }
         None => "no delay".to_owned(),
     };
     format!(
@@ -87,7 +94,8 @@ pub(super) fn root_rows(model: &Model) -> Vec<Vec<String>> {
 }
 
 /// Names of their columns.
-pub(super) const ROOT_COLUMNS: [&str; 7] = ["root", "real rad/s", "± sigma", "imaginary rad/s", "± sigma", "Hz", "damping"];
+pub(super) const ROOT_COLUMNS: [&str; 7] =
+    ["root", "real rad/s", "± sigma", "imaginary rad/s", "± sigma", "Hz", "damping"];
 
 fn roots(model: &Model, width: Option<usize>) -> String {
     let mut table = Table::new(ROOT_COLUMNS);

@@ -25,6 +25,7 @@ mod export_answer;
 mod forward_answer;
 mod frame_words;
 mod frequency_response_answer;
+mod frequency_response_page;
 mod frequency_response_words;
 mod hanging_answer;
 mod identification_answer;

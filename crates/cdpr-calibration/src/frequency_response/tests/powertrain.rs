@@ -47,7 +47,6 @@ fn closed_forms_are_the_printed_ones() {
 fn cutoff_and_peak_are_those_of_the_closed_form() {
     for (stiffness, what, record) in records() {
         let solution = identify(&noisy(&record, 0.3, 7), &Settings::default()).unwrap();
-        eprintln!("{what} {stiffness}: {} blur {} misfit {} cut {:?} peak {:?} trusted {:?} n {} doubts {:?} remarks {:?}", solution.model.as_ref().unwrap().transfer.orders(), solution.blur, solution.model.as_ref().unwrap().misfit, solution.cutoff, solution.peak, solution.band, solution.points.len(), solution.doubts, solution.remarks);
         assert!(solution.doubts.is_empty(), "{:?}", solution.doubts);
         assert_eq!(solution.method, Method::H1);
         check(&solution, stiffness, what);
@@ -67,7 +66,6 @@ fn without_noise_windows_leave_a_thousandth() {
         let closed = ClosedForm { stiffness };
         let cutoff = solution.cutoff.unwrap().value / closed.cutoff(solution.band.unwrap()[0]) - 1.0;
         let peak = solution.peak.unwrap().gain.value / closed.peak().1 - 1.0;
-        eprintln!("{what} {stiffness}: {cutoff:.2e} {peak:.2e} blur {} misfit {} {} trusted {:?} n {}", solution.blur, solution.model.as_ref().unwrap().misfit, solution.model.as_ref().unwrap().transfer.orders(), solution.band, solution.points.len());
         assert!(cutoff.abs() < 1e-3 && peak.abs() < 2e-3, "{what} {stiffness}: {cutoff:.2e} {peak:.2e}");
     }
 }

@@ -3,10 +3,10 @@
 use cdpr_reports::AnswerSchemas;
 use cdpr_reports::answers::{
     AccuracyAnswer, AdviceAnswer, BenchmarkAnswer, CampaignAnswer, CapabilityAnswer, ChainAnswer, CheckAnswer,
-    CompensationAnswer, DynamicsAnswer, EffectsAnswer, EvaluationAnswer, ExportAnswer, FirmwareAnswer, ForwardAnswer, FrequencyResponseAnswer,
-    IdentificationAnswer, ImportAnswer, InitialTensionAnswer, InverseAnswer, LoadAnswer, ModesAnswer, NoHangingAnswer,
-    PlanAnswer, RobotsAnswer, RunAnswer, SelectionAnswer, SelfCalibrationAnswer, SimulationAnswer, StiffnessAnswer,
-    StudyAnswer, TableAnswer, TensionAnswer, TestBenchAnswer, WorkspaceAnswer,
+    CompensationAnswer, DynamicsAnswer, EffectsAnswer, EvaluationAnswer, ExportAnswer, FirmwareAnswer, ForwardAnswer,
+    FrequencyResponseAnswer, IdentificationAnswer, ImportAnswer, InitialTensionAnswer, InverseAnswer, LoadAnswer,
+    ModesAnswer, NoHangingAnswer, PlanAnswer, RobotsAnswer, RunAnswer, SelectionAnswer, SelfCalibrationAnswer,
+    SimulationAnswer, StiffnessAnswer, StudyAnswer, TableAnswer, TensionAnswer, TestBenchAnswer, WorkspaceAnswer,
 };
 use cdpr_reports::cost_result::CostResult;
 use cdpr_reports::reachable::ReachableAnswer;
