@@ -50,10 +50,7 @@ pub mod frequency_response {
     //! Frequency responses and transfer functions from records of input and output.
 
     #[doc(inline)]
-    pub use cdpr_calibration::frequency_response::{
-        Alternative, Banded, CurvePoint, InputError, Method, Model, OrderChoice, Orders, Peak, Point, Record, Root,
-        Settings, Solution, Transfer, identify,
-    };
+    pub use cdpr_calibration::frequency_response::{Record, Settings, Solution, identify};
 }
 
 pub mod test_bench {

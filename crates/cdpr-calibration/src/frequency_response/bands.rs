@@ -3,7 +3,6 @@
 use nalgebra::{Complex, DMatrix};
 use std::f64::consts::TAU;
 
-use super::CurvePoint;
 use super::curve::slope;
 use super::points::{Point, Points};
 use super::refine::Refined;
@@ -36,6 +35,19 @@ pub struct Root {
     pub value: Complex<f64>,
     /// Standard deviation of real and imaginary part (rad/s).
     pub sigma: [f64; 2],
+}
+
+/// A model's response at one frequency.
+#[derive(Clone, Copy, Debug, PartialEq)]
+pub struct CurvePoint {
+    /// Frequency (Hz).
+    pub frequency: f64,
+    /// Output per input.
+    pub response: Complex<f64>,
+    /// Standard deviation of the gain.
+    pub gain_sigma: f64,
+    /// Standard deviation of the phase (rad).
+    pub phase_sigma: f64,
 }
 
 /// Covariance of the parameters of a fit.

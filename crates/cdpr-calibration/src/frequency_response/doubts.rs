@@ -1,4 +1,4 @@
-//! What a record cannot tell, before what it tells.
+//! Doubts about a response: limits of its record, before its figures.
 
 use super::{Banded, Model, Root, Solution};
 use crate::verdict::{Doubt, DoubtKind};

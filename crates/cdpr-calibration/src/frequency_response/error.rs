@@ -93,7 +93,7 @@ pub enum InputError {
         what: &'static str,
         /// Its value.
         value: f64,
-        /// What it may be.
+        /// Values that it may have.
         range: &'static str,
     },
 }

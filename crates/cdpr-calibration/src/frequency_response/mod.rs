@@ -28,11 +28,9 @@ mod tests;
 mod transfer;
 mod windowed;
 
-use nalgebra::Complex;
-
 use crate::verdict::{Doubt, Verdict};
 use bands::Covariance;
-pub use bands::{Banded, Root};
+pub use bands::{Banded, CurvePoint, Root};
 use cdpr_model::reading::keywords;
 use curve::Curve;
 pub use error::InputError;
@@ -107,19 +105,6 @@ pub struct Model {
     pub converged: bool,
 }
 
-/// A model's response at one frequency.
-#[derive(Clone, Copy, Debug, PartialEq)]
-pub struct CurvePoint {
-    /// Frequency (Hz).
-    pub frequency: f64,
-    /// Output per input.
-    pub response: Complex<f64>,
-    /// Standard deviation of the gain.
-    pub gain_sigma: f64,
-    /// Standard deviation of the phase (rad).
-    pub phase_sigma: f64,
-}
-
 /// Largest gain of the model in the band.
 #[derive(Clone, Copy, Debug, PartialEq)]
 pub struct Peak {
@@ -165,7 +150,7 @@ pub struct Solution {
     pub blur: f64,
     /// Reasons to doubt the answer, the worst first.
     pub doubts: Vec<Doubt>,
-    /// What else a reader has to know.
+    /// Remarks besides.
     pub remarks: Vec<String>,
 }
 
@@ -215,7 +200,7 @@ struct Estimate {
 /// A window sees answers to what happened before it, and averages the response over its resolution: near a light resonance that is more than noise leaves, and counts
 /// as noise besides. So the fitted function answers the recorded input; what it leaves of the output is estimated as the output was, and added to its response.
 fn windowed_estimate(even: &Even, settings: &Settings) -> Result<Estimate, InputError> {
-    let windows = Windows::new(even, settings)?;
+    let windows = Windows::new(even, settings.window)?;
     let input = windows.spectra(&even.input);
     let points = windowed::points(even.step, &windows, &input, &even.output);
     let points = points.trusted_from(settings.coherence);

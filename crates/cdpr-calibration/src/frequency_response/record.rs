@@ -7,8 +7,8 @@
 pub struct Record {
     /// Times (s), rising by equal steps.
     pub times: Vec<f64>,
-    /// What the machine is told, as the torque of a motor (N·m), at each time; taken as free of noise.
+    /// Input that the machine is told, as the torque of a motor (N·m), at each time; taken as free of noise.
     pub input: Vec<f64>,
-    /// What it answers, as the tension of a cable (N), at each time.
+    /// Output that it answers, as the tension of a cable (N), at each time.
     pub output: Vec<f64>,
 }

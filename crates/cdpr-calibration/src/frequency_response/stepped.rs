@@ -120,7 +120,7 @@ fn crossings(series: &[f64]) -> Vec<f64> {
     all
 }
 
-/// What blocks of a step tell.
+/// Measurement of a step by its blocks.
 struct Measured {
     frequency: f64,
     response: Complex<f64>,

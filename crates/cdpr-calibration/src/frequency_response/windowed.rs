@@ -7,9 +7,9 @@ use rustfft::{Fft, FftPlanner};
 use std::f64::consts::TAU;
 use std::sync::Arc;
 
+use super::InputError;
 use super::points::{LEAST_SIGMA, Point, Points};
 use super::sampling::Even;
-use super::{InputError, Settings};
 
 /// Windows that are needed at least.
 const FEWEST: usize = 5;
@@ -41,9 +41,9 @@ pub(super) struct Windows {
 pub(super) struct Spectra(Vec<Vec<Complex<f64>>>);
 
 impl Windows {
-    pub(super) fn new(even: &Even, settings: &Settings) -> Result<Self, InputError> {
+    pub(super) fn new(even: &Even, window: Option<f64>) -> Result<Self, InputError> {
         let samples = even.len();
-        let length = settings.window.map_or(samples / LENGTHS, |window| (window / even.step).round() as usize);
+        let length = window.map_or(samples / LENGTHS, |window| (window / even.step).round() as usize);
         let length = (length - length % 2).max(8);
         let count = if length > samples { 0 } else { (samples - length) / (length / 2) + 1 };
         if count < FEWEST {
@@ -113,7 +113,7 @@ impl Spectra {
     }
 }
 
-/// What noise of the output does to the estimate.
+/// Effect of the output's noise on the estimate.
 struct Noise<'a> {
     input: &'a Spectra,
     /// Correlations of windows with themselves and the next one, for the same bin and for bins two apart.

@@ -7,8 +7,6 @@ use cdpr_model::reading::Keyword;
 use schemars::JsonSchema;
 use serde::Serialize;
 
-use super::Answer;
-use super::frequency_response_words::words;
 use super::identification_words::reason_of;
 use crate::keys::WarningKeys;
 
@@ -115,7 +113,7 @@ pub struct FrequencyResponseAnswer {
     /// False where nobody should work with the figures; the warnings say why.
     trusted: bool,
     #[serde(skip)]
-    verdict: Verdict,
+    pub(super) verdict: Verdict,
     /// Reason of a negative answer.
     pub(super) reason: Option<String>,
     /// File of the record.
@@ -285,15 +283,5 @@ impl RootAnswer {
             frequency_Hz: root.frequency(),
             damping: root.damping(),
         }
-    }
-}
-
-impl Answer for FrequencyResponseAnswer {
-    fn is_negative(&self) -> bool {
-        self.verdict.is_negative()
-    }
-
-    fn words(&self, width: Option<usize>) -> String {
-        words(self, width)
     }
 }

@@ -2,13 +2,24 @@
 
 use cdpr_calibration::frequency_response::{Banded, Model, Root};
 
+use super::Answer;
 use super::frequency_response_answer::FrequencyResponseAnswer;
 use super::identification_words::doubt_words;
 use crate::number_format::{cell, significant};
 use crate::table::Table;
 
+impl Answer for FrequencyResponseAnswer {
+    fn is_negative(&self) -> bool {
+        self.verdict.is_negative()
+    }
+
+    fn words(&self, width: Option<usize>) -> String {
+        words(self, width)
+    }
+}
+
 /// All words of a response, doubts first.
-pub(super) fn words(answer: &FrequencyResponseAnswer, width: Option<usize>) -> String {
+fn words(answer: &FrequencyResponseAnswer, width: Option<usize>) -> String {
     let mut text = format!("{}\n{}", answer.heading(), doubt_words(&answer.warnings().doubts));
     figures(answer).iter().for_each(|line| text.push_str(&format!("{line}\n")));
     if let Some(model) = &answer.solution.model {

@@ -1,4 +1,4 @@
-//! What a record does not tell.
+//! Records that do not tell all that is asked.
 
 use super::machine::{Drive, Linear, chirp, noisy};
 use crate::Verdict;
