@@ -11,6 +11,10 @@ const MISFIT: f64 = 2.0;
 const WIDE: f64 = 0.1;
 /// Width of a resonance in resolutions from which on it is told from a sharper one.
 const RESOLVED: f64 = 1.0;
+/// Distance of a zero from a pole, as a part of the pole's, within which it may cancel it.
+const BESIDE: f64 = 0.3;
+/// Distance within which it does, however well both are known.
+const TOUCHING: f64 = 0.02;
 /// Blur of windows that is worth a word.
 const BLURRED: f64 = 0.01;
 
@@ -179,12 +183,13 @@ impl Model {
         doubts
     }
 
-    /// Poles with zeros that lie within three standard deviations or a fiftieth of them.
+    /// Poles with zeros that lie beside them within three standard deviations, or touch them.
     fn cancelled(&self) -> Vec<(Root, Root)> {
         let size = |root: &Root| root.sigma[0].hypot(root.sigma[1]);
         let is_near = |pole: &Root, zero: &Root| {
             let distance = (pole.value - zero.value).norm();
-            distance < 3.0 * size(pole).hypot(size(zero)) || distance < 0.02 * pole.value.norm()
+            let is_within = distance < 3.0 * size(pole).hypot(size(zero)) && distance < BESIDE * pole.value.norm();
+            is_within || distance < TOUCHING * pole.value.norm()
         };
         let upper = |roots: &[Root]| roots.iter().copied().filter(|root| root.value.im >= 0.0).collect::<Vec<Root>>();
         let zeros = upper(&self.zeros);

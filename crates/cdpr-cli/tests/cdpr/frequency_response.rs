@@ -9,7 +9,7 @@ use super::{cdpr_in, file_with};
 const CUTOFF: f64 = 12.00;
 const GAIN: f64 = 1.0 / 0.1525;
 
-/// Ten seconds of the tension above 2 kN of that drum under a sweep of the torque, by small steps of its equation, with a little noise.
+/// Twenty seconds of the tension above 2 kN of that drum under a sweep of the torque, by small steps of its equation, with a little noise.
 pub(crate) fn record() -> String {
     let mut text = "t_s,motor_torque_Nm,tension_N\n".to_owned();
     let (inertia, r, friction, stiffness) = (1.37, 0.1525, 27.37, 147e3);
@@ -18,8 +18,8 @@ pub(crate) fn record() -> String {
     let (mut angle, mut speed, mut random) = (0.0_f64, 0.0_f64, 1_u64);
     for row in 0..4000 {
         for k in 0..inside {
-            // in the middle of the small step
-            let time = (f64::from(row * inside + k) + 0.5) * fine;
+            // speeds stand in the middle of small steps, angles at their ends
+            let time = f64::from(row * inside + k) * fine;
             let torque = 40.0 * sweep(time);
             speed += fine * (torque - stiffness * r * r * angle - friction * speed) / inertia;
             angle += fine * speed;
@@ -66,12 +66,13 @@ fn cutoff_and_peak_of_a_record_are_those_of_the_closed_form() {
 fn words_begin_with_the_record_and_tell_band_cutoff_peak_and_poles() {
     let (folder, _) = file_with("record.csv", record().as_bytes());
     let run = cdpr_in(folder.path(), "frequency-response record.csv");
+    assert!(run.stdout.starts_with("record.csv: motor_torque_Nm to tension_N"), "{}", run.stdout);
     for part in ["15 windows", "lowest trusted frequency", "cut-off: 1", "N per N·m", "2 poles, 0 zeros", "damping"] {
         assert!(run.stdout.contains(part), "{part} is not in {}", run.stdout);
     }
 }
 
-/// A record that ends below the cut-off, noise in place of an output, and a second of a sweep: negative, with the reason, and without a cut-off.
+/// A record that ends below the cut-off, noise in place of an output, and the first seconds of a sweep: negative, with the reason, and without a cut-off.
 #[test]
 fn records_that_do_not_tell_a_cutoff_are_answered_by_why() {
     let whole = record();
@@ -88,7 +89,8 @@ fn records_that_do_not_tell_a_cutoff_are_answered_by_why() {
         // 12 of 20 s: up to 6.9 Hz
         (table(&rows[..2400]), "not-identifiable", "cut-off lies above"),
         (table(&noise), "not-trusted", "noise hides the output"),
-        (table(&rows[1000..1200]), "not-identifiable", "too short"),
+        // 6 s: up to 1.9 Hz, 1.3 Hz apart
+        (table(&rows[..1200]), "not-identifiable", "too short"),
     ] {
         let (folder, _) = file_with("record.csv", text.as_bytes());
         let run = cdpr_in(folder.path(), "frequency-response record.csv --format json");
@@ -125,5 +127,16 @@ fn records_that_will_not_do_are_refused_with_their_line() {
         let run = cdpr_in(folder.path(), &format!("frequency-response record.csv{more} --format json"));
         assert_eq!((run.exit_code, run.json()["code"].as_str()), (2, Some(code)), "{}", run.stderr);
         assert!(run.stderr.contains(part), "{part} is not in {}", run.stderr);
+    }
+}
+
+#[test]
+fn the_page_has_curves_poles_and_the_cutoff() {
+    let (folder, _) = file_with("record.csv", record().as_bytes());
+    let run = cdpr_in(folder.path(), "frequency-response record.csv --report page.html --format json");
+    assert_eq!((run.exit_code, run.json()["report"].as_str()), (0, Some("page.html")), "{}", run.stderr);
+    let page = std::fs::read_to_string(folder.path().join("page.html")).unwrap();
+    for part in ["Cut-off at 1", "frequency in Hz", "class=\"band\"", "\u{2212}3 dB", "2 poles, 0 zeros", "damping"] {
+        assert!(page.contains(part), "{part} is not in the page");
     }
 }
