@@ -22,7 +22,7 @@ const SWEEP: &str = "study = \"elastic.toml\"\nposition_error_max_m = [0.01]\nbo
                      key = \"study.limits.tension_max_N\"\nvalues = [6000, 8000]\n";
 
 /// An answer of every command, with the robot that it is about; those of one command in the order in which they can run.
-const CASES: [(&str, Option<&str>); 48] = [
+const CASES: [(&str, Option<&str>); 49] = [
     ("robots", None),
     ("robots cogiro", None),
     ("new", None),
