@@ -52,7 +52,7 @@ impl Solution {
     fn no_model(&self) -> Doubt {
         let trusted = self.points.iter().filter(|point| point.is_trusted).count();
         let words = format!(
-            "no model: {trusted} of {} points have a coherence of {} or more, {:.3} Hz apart, and 8 that do not depend on each other are needed: the record of {:.1} s is too \
+            "no model: {trusted} of {} points have a coherence of {} or more, {:.3} Hz apart, of which every second one is independent, and 8 of these are needed: the record of {:.1} s is too \
              short, excites too few frequencies, or is too noisy",
             self.points.len(),
             self.coherence_limit,

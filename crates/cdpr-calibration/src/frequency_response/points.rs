@@ -69,6 +69,11 @@ impl Points {
         let sum = |only_trusted: bool| -> f64 {
             (0..self.all.len()).filter(|&k| !only_trusted || self.all[k].is_trusted).map(width).sum()
         };
-        if self.all.is_empty() { 0.0 } else { sum(true) / sum(false).max(f64::MIN_POSITIVE) }
+        if self.all.is_empty() {
+            0.0
+        } else {
+            // a sum of nothing is −0
+            (sum(true) + 0.0) / sum(false).max(f64::MIN_POSITIVE)
+        }
     }
 }

@@ -86,8 +86,8 @@ fn records_that_do_not_tell_a_cutoff_are_answered_by_why() {
     let noise: Vec<String> = rows.iter().map(noise).collect();
     let noise: Vec<&str> = noise.iter().map(String::as_str).collect();
     for (text, status, part) in [
-        // 12 of 20 s: up to 6.9 Hz
-        (table(&rows[..2400]), "not-identifiable", "cut-off lies above"),
+        // 14 of 20 s: up to 10.7 Hz
+        (table(&rows[..2800]), "not-identifiable", "cut-off lies above"),
         (table(&noise), "not-trusted", "noise hides the output"),
         // 6 s: up to 1.9 Hz, 1.3 Hz apart
         (table(&rows[..1200]), "not-identifiable", "too short"),
@@ -116,7 +116,7 @@ fn records_that_will_not_do_are_refused_with_their_line() {
         (exchanged, "", "record::time-order", "out of order"),
         (whole.replace("motor_torque_Nm", "torque"), "", "csv::missing-column", "--input COLUMN"),
         (whole.replace("t_s", "t_min"), "", "csv::unknown-unit", "t_ms"),
-        (whole.replacen(",305.0", ",abc", 1), "", "csv::not-a-number", "abc"),
+        (whole.replacen(",305.6", ",abc", 1), "", "csv::not-a-number", "abc"),
         (whole.lines().take(40).map(|line| format!("{line}\n")).collect(), "", "record::too-few-rows", "64"),
         (whole.clone(), " --window 15", "record::too-few-windows", "at most 6.667 s"),
         (whole.clone(), " --method sine", "record::no-steps", "h1"),
