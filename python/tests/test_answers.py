@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import shlex
 import tempfile
 import unittest
@@ -46,6 +47,22 @@ def bench_record() -> Path:
     strokes = [(up if side else 40 - up, side) for side in (1, 0, 1, 0) for up in range(41)]
     rows = [f"{1e-4 * way},{20.0 * way * (1.0 if loads else 0.9 + 0.0025 * way)}" for way, loads in strokes]
     (folder / "record.csv").write_text("elongation_m,tension_N\n" + "\n".join(rows) + "\n")
+    return folder / "record.csv"
+
+
+def response_record() -> Path:
+    """Returns a record of a lag of 20 ms under a sum of sines."""
+    folder = Path(tempfile.mkdtemp(prefix="cdpr-response-"))
+    frequencies = [0.5 * k for k in range(1, 51)]
+    rows = []
+    for row in range(4000):
+        time = 0.005 * row
+        turned = [(2 * math.pi * f, 2 * math.pi * f * time + 0.7 * k * k) for k, f in enumerate(frequencies)]
+        told = sum(math.cos(angle) for _, angle in turned)
+        # of a lag at each frequency: smaller by its gain and later by its phase
+        said = sum(math.cos(angle - math.atan(0.02 * w)) / math.hypot(1, 0.02 * w) for w, angle in turned)
+        rows.append(f"{time:.3f},{told},{5 * said + 1000 + 0.1 * (row * 7919 % 101 - 50)}")
+    (folder / "record.csv").write_text("t_s,motor_torque_Nm,tension_N\n" + "\n".join(rows) + "\n")
     return folder / "record.csv"
 
 
@@ -97,6 +114,7 @@ CALLS: dict[str, Callable[[], Any]] = {
     "compensate": lambda: cdpr.compensate(demo() / "robot.toml", training()),
     "campaign": lambda: cdpr.campaign(study({"campaign": {"free": "frame-anchor", "rounds": 2, "poses_per_round": 6}})),
     "test_bench": lambda: cdpr.test_bench(bench_record(), length=2.0),
+    "frequency_response": lambda: cdpr.frequency_response(response_record()),
     "friction": lambda: cdpr.friction([winch_record()]),
     "run": lambda: cdpr.run(scenario()),
 }

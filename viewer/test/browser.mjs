@@ -30,6 +30,7 @@ const CHECKS = {
   chain: checkDrawn,
   benchmark: checkDrawn,
   capability: checkDrawn,
+  response: checkDrawn,
 };
 
 const [executablePath, output, ...pages] = process.argv.slice(2);

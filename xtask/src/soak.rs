@@ -45,6 +45,7 @@ const PROPERTIES: &[&str] = &[
     "intervals_of_linear_densities_hold_the_truth",
     "intervals_of_swivel_zeros_hold_the_truth",
     "intervals_of_all_sensors_hold_the_truth",
+    "intervals_of_cutoff_peak_gain_and_pole_hold_the_truth",
     "intervals_of_friction_hold_the_truth",
     "intervals_of_friction_that_falls_with_speed_hold_the_truth",
     "friction_that_does_not_fall_is_hardly_ever_told_to_fall",

@@ -6,7 +6,7 @@ use crate::candidate::CandidateError;
 use crate::compensation::CompensationError;
 use crate::cross_validation::CrossValidationError;
 use crate::selection::RequirementError;
-use crate::{EvaluationError, PlanError, fit, friction, selection, test_bench};
+use crate::{EvaluationError, PlanError, fit, frequency_response, friction, selection, test_bench};
 
 impl ErrorCode for EvaluationError {
     fn code(&self) -> &'static str {
@@ -109,6 +109,22 @@ impl ErrorCode for test_bench::InputError {
             Self::NotRising { .. } => "record::not-rising",
             Self::BranchesCross { .. } => "record::branches-cross",
             Self::NoLaw(reason) => reason.code(),
+        }
+    }
+}
+
+impl ErrorCode for frequency_response::InputError {
+    fn code(&self) -> &'static str {
+        match self {
+            Self::Lengths { .. } => "record::lengths",
+            Self::NotFinite { .. } => "record::not-finite",
+            Self::TooFewRows { .. } => "record::too-few-rows",
+            Self::TimeOrder { .. } => "record::time-order",
+            Self::Uneven { .. } => "record::uneven",
+            Self::NoRange { .. } => "record::no-range",
+            Self::TooFewWindows { .. } => "record::too-few-windows",
+            Self::NoSteps { .. } => "record::no-steps",
+            Self::Setting { .. } => "setting::value",
         }
     }
 }

@@ -19,6 +19,7 @@ mod error_code;
 pub mod evaluation;
 mod findings;
 pub mod fit;
+pub mod frequency_response;
 pub mod friction;
 mod gauge_convention;
 mod identifiability;

@@ -63,6 +63,12 @@ pub enum DoubtKind {
     Law,
     /// A record without a rising polynomial.
     NoPolynomial,
+    /// An output that its input explains over less than half of the frequencies.
+    Coherence,
+    /// Frequencies of a record that do not reach what is asked of them, or do not resolve it.
+    Band,
+    /// A transfer function that no machine at rest has, or that its points hold weakly.
+    Shape,
 }
 
 impl DoubtKind {
@@ -71,10 +77,13 @@ impl DoubtKind {
         match self {
             Self::NotConverged => Verdict::NotConverged,
             Self::NotPredictive => Verdict::NotPredictive,
-            Self::FewPoses | Self::Gross | Self::BeyondAccuracy | Self::OutliersCounted | Self::Law => {
-                Verdict::NotTrusted
-            }
-            Self::NotIdentifiable => Verdict::NotIdentifiable,
+            Self::FewPoses
+            | Self::Gross
+            | Self::BeyondAccuracy
+            | Self::OutliersCounted
+            | Self::Law
+            | Self::Coherence => Verdict::NotTrusted,
+            Self::NotIdentifiable | Self::Band => Verdict::NotIdentifiable,
             Self::Found(Severity::Remark) => Verdict::Sound,
             Self::Found(Severity::Distrust) => Verdict::NotTrusted,
             Self::Found(Severity::Caution)
@@ -88,7 +97,8 @@ impl DoubtKind {
             | Self::WeakDirection
             | Self::UnknownStiffness
             | Self::WorseThanGiven
-            | Self::NoPolynomial => Verdict::WithCaution,
+            | Self::NoPolynomial
+            | Self::Shape => Verdict::WithCaution,
         }
     }
 }
@@ -102,7 +112,7 @@ impl DoubtKind {
             Self::OutliersCounted | Self::OutliersLeftOut => FindingKind::Outlier,
             Self::Frames => FindingKind::Frame,
             Self::Clocks => FindingKind::Clock,
-            Self::PartlyCompared => FindingKind::Coverage,
+            Self::PartlyCompared | Self::Band => FindingKind::Coverage,
             Self::Bound => FindingKind::Bound,
             Self::Prior => FindingKind::Anchor,
             Self::UnknownStiffness => FindingKind::Stiffness,
@@ -112,6 +122,8 @@ impl DoubtKind {
             | Self::WorseThanGiven
             | Self::Law
             | Self::NoPolynomial
+            | Self::Coherence
+            | Self::Shape
             | Self::Found(_) => FindingKind::LackOfFit,
         }
     }

@@ -53,6 +53,13 @@ pub mod selection {
     };
 }
 
+pub mod frequency_response {
+    //! Frequency responses and transfer functions from records of input and output.
+
+    #[doc(inline)]
+    pub use cdpr_calibration::frequency_response::{Record, Settings, Solution, identify};
+}
+
 pub mod test_bench {
     //! Laws of cables from a test bench.
 

@@ -70,6 +70,7 @@ _MODULES = {
         "dynamics",
         "evaluate",
         "fk",
+        "frequency_response",
         "friction",
         "identify",
         "ik",

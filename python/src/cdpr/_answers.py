@@ -4239,6 +4239,202 @@ class FrameEstimate(Result):
         return self._get("sigma_rotation_rad")
 
 
+class FrequencyResponse(Result):
+    """Frequency response of a record."""
+
+    __slots__ = ()
+    _KEYS: ClassVar[tuple[tuple[str, str, bool], ...]] = (
+        ("band", "band_Hz", True),
+        ("coherence_limit", "coherence_limit", True),
+        ("cutoff", "cutoff_Hz", True),
+        ("cutoff_band", "cutoff_band_Hz", True),
+        ("duration", "duration_s", True),
+        ("findings", "findings", True),
+        ("input", "input", True),
+        ("layout_version", "layout_version", True),
+        ("method", "method", True),
+        ("model", "model", True),
+        ("output", "output", True),
+        ("peak_frequency", "peak_frequency_Hz", True),
+        ("peak_frequency_band", "peak_frequency_band_Hz", True),
+        ("peak_gain", "peak_gain", True),
+        ("peak_gain_band", "peak_gain_band", True),
+        ("points", "points", True),
+        ("program", "program", True),
+        ("reason", "reason", True),
+        ("record", "record", True),
+        ("reference_frequency", "reference_frequency_Hz", True),
+        ("reference_gain", "reference_gain", True),
+        ("report", "report", True),
+        ("resolution", "resolution_Hz", True),
+        ("robot", "robot", False),
+        ("sample_rate", "sample_rate_Hz", True),
+        ("samples", "samples", True),
+        ("status", "status", True),
+        ("trusted", "trusted", True),
+        ("trusted_share", "trusted_share", True),
+        ("warnings", "warnings", True),
+        ("windows", "windows", True),
+    )
+
+    @property
+    def band(self) -> tuple[float, float] | None:
+        """Lowest and highest trusted frequency (Hz); `None` without trusted points."""
+        return self._get("band_Hz")
+
+    @property
+    def coherence_limit(self) -> float:
+        """Least coherence of a trusted point."""
+        return self._get("coherence_limit")
+
+    @property
+    def cutoff(self) -> float | None:
+        """First frequency (Hz) with a gain 3 dB below the reference; `None` where the record does not tell
+        it.
+        """
+        return self._get("cutoff_Hz")
+
+    @property
+    def cutoff_band(self) -> tuple[float, float] | None:
+        """Interval of the cut-off (Hz), 95 %."""
+        return self._get("cutoff_band_Hz")
+
+    @property
+    def duration(self) -> float:
+        """Length of the record (s)."""
+        return self._get("duration_s")
+
+    @property
+    def findings(self) -> tuple[Finding, ...]:
+        """Findings, the worst first."""
+        return self._get("findings", Finding)
+
+    @property
+    def input(self) -> str:
+        """Column of the input."""
+        return self._get("input")
+
+    @property
+    def layout_version(self) -> int:
+        """Version of the keys of answers: raised when a key goes or changes its meaning."""
+        return self._get("layout_version")
+
+    @property
+    def method(self) -> str:
+        """h1 or sine."""
+        return self._get("method")
+
+    @property
+    def model(self) -> TransferFunction | None:
+        """Fitted transfer function; `None` where points are too few."""
+        return self._get("model", TransferFunction)
+
+    @property
+    def output(self) -> str:
+        """Column of the output."""
+        return self._get("output")
+
+    @property
+    def peak_frequency(self) -> float | None:
+        """Frequency of the peak (Hz); `None` where the gain does not fall to both sides within the band."""
+        return self._get("peak_frequency_Hz")
+
+    @property
+    def peak_frequency_band(self) -> tuple[float, float] | None:
+        """Interval of the peak's frequency (Hz), 95 %."""
+        return self._get("peak_frequency_band_Hz")
+
+    @property
+    def peak_gain(self) -> float | None:
+        """Largest gain of the model in the band; `None` as for the cut-off."""
+        return self._get("peak_gain")
+
+    @property
+    def peak_gain_band(self) -> tuple[float, float] | None:
+        """Interval of the peak's gain, 95 %."""
+        return self._get("peak_gain_band")
+
+    @property
+    def points(self) -> tuple[ResponsePoint, ...]:
+        """Response at the frequencies that the input excites."""
+        return self._get("points", ResponsePoint)
+
+    @property
+    def program(self) -> str:
+        """Name and version of the program."""
+        return self._get("program")
+
+    @property
+    def reason(self) -> str | None:
+        """Reason of a negative answer."""
+        return self._get("reason")
+
+    @property
+    def record(self) -> str:
+        """File of the record."""
+        return self._get("record")
+
+    @property
+    def reference_frequency(self) -> float | None:
+        """Lowest trusted frequency (Hz), whose gain cut-off and peak are told against."""
+        return self._get("reference_frequency_Hz")
+
+    @property
+    def reference_gain(self) -> float | None:
+        """Gain of the model there."""
+        return self._get("reference_gain")
+
+    @property
+    def report(self) -> str | None:
+        """File of the page."""
+        return self._get("report")
+
+    @property
+    def resolution(self) -> float:
+        """Distance of frequencies that are told apart (Hz)."""
+        return self._get("resolution_Hz")
+
+    @property
+    def robot(self) -> str | None:
+        """Name of the robot."""
+        return self._find("robot")
+
+    @property
+    def sample_rate(self) -> float:
+        """Number of samples in a second (Hz)."""
+        return self._get("sample_rate_Hz")
+
+    @property
+    def samples(self) -> int:
+        """Number of samples."""
+        return self._get("samples")
+
+    @property
+    def status(self) -> str:
+        """Outcome in a word."""
+        return self._get("status")
+
+    @property
+    def trusted(self) -> bool:
+        """False where nobody should work with the figures; the warnings say why."""
+        return self._get("trusted")
+
+    @property
+    def trusted_share(self) -> float:
+        """Part of the excited frequencies, on a logarithmic scale, that are trusted."""
+        return self._get("trusted_share")
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """Warnings for the reader, doubts about the outcome first."""
+        return self._get("warnings")
+
+    @property
+    def windows(self) -> int | None:
+        """Number of windows averaged; `None` for a stepped sine."""
+        return self._get("windows")
+
+
 class Friction(Result):
     """Friction and loads of a winch: torque = load + sign(speed)·(coulomb + coulomb_by_load·load + (static −
     coulomb)·exp(−(speed/stribeck_speed)²) + viscous·|speed|).
@@ -7148,6 +7344,38 @@ class OptimumCertificate(Result):
         return self._get("subgradient")
 
 
+class OtherOrders(Result):
+    """Orders that the record does not tell from those of the model."""
+
+    __slots__ = ()
+    _KEYS: ClassVar[tuple[tuple[str, str, bool], ...]] = (
+        ("criterion_difference", "criterion_difference", True),
+        ("delay", "delay", True),
+        ("poles", "poles", True),
+        ("zeros", "zeros", True),
+    )
+
+    @property
+    def criterion_difference(self) -> float:
+        """Schwarz's criterion less that of the model."""
+        return self._get("criterion_difference")
+
+    @property
+    def delay(self) -> bool:
+        """Whether there is a delay."""
+        return self._get("delay")
+
+    @property
+    def poles(self) -> int:
+        """Number of poles."""
+        return self._get("poles")
+
+    @property
+    def zeros(self) -> int:
+        """Number of zeros."""
+        return self._get("zeros")
+
+
 class Outlier(Result):
     """Sample beyond 8 robust standard deviations."""
 
@@ -9058,6 +9286,56 @@ class ResampledDeviation(Result):
         return self._get("unit")
 
 
+class ResponsePoint(Result):
+    """Response at one frequency."""
+
+    __slots__ = ()
+    _KEYS: ClassVar[tuple[tuple[str, str, bool], ...]] = (
+        ("coherence", "coherence", True),
+        ("frequency", "frequency_Hz", True),
+        ("gain", "gain", True),
+        ("gain_sigma", "gain_sigma", True),
+        ("phase", "phase_rad", True),
+        ("phase_sigma", "phase_sigma_rad", True),
+        ("trusted", "trusted", True),
+    )
+
+    @property
+    def coherence(self) -> float:
+        """Share of the output's power that the input explains, 0 to 1."""
+        return self._get("coherence")
+
+    @property
+    def frequency(self) -> float:
+        """Frequency (Hz)."""
+        return self._get("frequency_Hz")
+
+    @property
+    def gain(self) -> float:
+        """Gain (output's unit per input's unit)."""
+        return self._get("gain")
+
+    @property
+    def gain_sigma(self) -> float:
+        """Standard deviation of the gain."""
+        return self._get("gain_sigma")
+
+    @property
+    def phase(self) -> float:
+        """Phase (rad), −π to π; negative where the output is late."""
+        return self._get("phase_rad")
+
+    @property
+    def phase_sigma(self) -> float:
+        """Standard deviation of the phase (rad)."""
+        return self._get("phase_sigma_rad")
+
+    @property
+    def trusted(self) -> bool:
+        """False where the coherence is below `coherence_limit`."""
+        return self._get("trusted")
+
+
 class RobotCheck(Result):
     """Facts, models and oddities of a robot at its home pose."""
 
@@ -9286,6 +9564,58 @@ class RobotList(Result):
     def warnings(self) -> tuple[str, ...]:
         """Warnings for the reader, doubts about the outcome first."""
         return self._get("warnings")
+
+
+class Root(Result):
+    """Pole or zero."""
+
+    __slots__ = ()
+    _KEYS: ClassVar[tuple[tuple[str, str, bool], ...]] = (
+        ("damping", "damping", True),
+        ("frequency", "frequency_Hz", True),
+        ("imaginary_rad", "imaginary_rad_per_s", True),
+        ("real_rad", "real_rad_per_s", True),
+    )
+
+    @property
+    def damping(self) -> float:
+        """Damping ratio; negative on the right of the imaginary axis."""
+        return self._get("damping")
+
+    @property
+    def frequency(self) -> float:
+        """Natural frequency (Hz)."""
+        return self._get("frequency_Hz")
+
+    @property
+    def imaginary_rad(self) -> float:
+        """Imaginary part (rad/s) (1/s)."""
+        return self._get("imaginary_rad_per_s")
+
+    @property
+    def real_rad(self) -> float:
+        """Real part (rad/s); negative for a stable pole (1/s)."""
+        return self._get("real_rad_per_s")
+
+
+class RootSigma(Result):
+    """Standard deviations of a pole or zero."""
+
+    __slots__ = ()
+    _KEYS: ClassVar[tuple[tuple[str, str, bool], ...]] = (
+        ("imaginary_rad", "imaginary_rad_per_s", True),
+        ("real_rad", "real_rad_per_s", True),
+    )
+
+    @property
+    def imaginary_rad(self) -> float:
+        """Of the imaginary part (rad/s); 0 for a real one (1/s)."""
+        return self._get("imaginary_rad_per_s")
+
+    @property
+    def real_rad(self) -> float:
+        """Of the real part (rad/s) (1/s)."""
+        return self._get("real_rad_per_s")
 
 
 class RowWeight(Result):
@@ -11798,6 +12128,90 @@ class ToleranceEffects(Result):
         return self._get("sigmas")
 
 
+class TransferFunction(Result):
+    """Transfer function: gain · exp(−s·delay) · ∏(1 − s/zero) / ∏(1 − s/pole)."""
+
+    __slots__ = ()
+    _KEYS: ClassVar[tuple[tuple[str, str, bool], ...]] = (
+        ("alternatives", "alternatives", True),
+        ("delay", "delay_s", True),
+        ("gain", "gain", True),
+        ("misfit", "misfit", True),
+        ("poles", "poles", True),
+        ("sigma", "sigma", True),
+        ("zeros", "zeros", True),
+    )
+
+    @property
+    def alternatives(self) -> tuple[OtherOrders, ...]:
+        """Orders that the record does not tell from these."""
+        return self._get("alternatives", OtherOrders)
+
+    @property
+    def delay(self) -> float:
+        """Delay (s); 0 where the record tells none."""
+        return self._get("delay_s")
+
+    @property
+    def gain(self) -> float:
+        """Gain at zero frequency (output's unit per input's unit), extrapolated below the band."""
+        return self._get("gain")
+
+    @property
+    def misfit(self) -> float:
+        """Root of the mean square of the residuals in standard deviations; about 1 where the function
+        explains the points.
+        """
+        return self._get("misfit")
+
+    @property
+    def poles(self) -> tuple[Root, ...]:
+        """Poles, slowest first."""
+        return self._get("poles", Root)
+
+    @property
+    def sigma(self) -> TransferSigma:
+        """Standard deviations."""
+        return self._get("sigma", TransferSigma)
+
+    @property
+    def zeros(self) -> tuple[Root, ...]:
+        """Zeros, slowest first."""
+        return self._get("zeros", Root)
+
+
+class TransferSigma(Result):
+    """Standard deviations of a transfer function."""
+
+    __slots__ = ()
+    _KEYS: ClassVar[tuple[tuple[str, str, bool], ...]] = (
+        ("delay", "delay_s", True),
+        ("gain", "gain", True),
+        ("poles", "poles", True),
+        ("zeros", "zeros", True),
+    )
+
+    @property
+    def delay(self) -> float | None:
+        """Of the delay (s); `None` where the function has none."""
+        return self._get("delay_s")
+
+    @property
+    def gain(self) -> float:
+        """Of the gain."""
+        return self._get("gain")
+
+    @property
+    def poles(self) -> tuple[RootSigma, ...]:
+        """Of the poles, in their order."""
+        return self._get("poles", RootSigma)
+
+    @property
+    def zeros(self) -> tuple[RootSigma, ...]:
+        """Of the zeros."""
+        return self._get("zeros", RootSigma)
+
+
 class UsedMap(Result):
     """Map that corrects lengths."""
 
@@ -12234,6 +12648,7 @@ ANSWERS: Mapping[str, tuple[type[Result], ...]] = {
     "explain": (Explanation, CodeList),
     "export": (ExportedFigures, Firmware, LengthTable),
     "fk": (ForwardKinematics,),
+    "frequency-response": (FrequencyResponse,),
     "friction": (Friction,),
     "identify": (Identification, SelfCalibration),
     "ik": (InverseKinematics, NoHangingPose),

@@ -1776,6 +1776,65 @@ def test_bench(
     )
 
 
+def frequency_response(
+    record: Path,
+    *,
+    input: Value | None = None,
+    output: Value | None = None,
+    method: Value | None = None,
+    window: float | None = None,
+    coherence: float | None = None,
+    max_poles: Value | None = None,
+    orders: Value | None = None,
+    report: bool = True,
+    progress: Progress = None,
+    threads: int | None = None,
+) -> results.FrequencyResponse:
+    """Estimate gain, phase and coherence between two columns of a record, and fit a transfer function with poles, zeros and a delay.
+
+    The record is a CSV at an even rate with the time t_s, the input (motor_torque_Nm) and the output
+    (tension_N), other columns by input and output. Sweeps, noise and sums of sines are averaged over windows
+    that overlap by half; a stepped sine is recognised. Cut-off (−3 dB against the lowest trusted frequency),
+    peak and poles are told with 95 % intervals. The answer is negative (exit code 1) where the coherence is
+    bad over most of the frequencies, or the record does not reach the cut-off or is too short.
+
+    Args:
+        record: Record (CSV).
+        input: Column of what the machine is told; taken as free of noise.
+        output: Column of what it answers.
+        method: Way to estimate the points: h1 (averaged windows) or sine (steps of one frequency); left out:
+            sine for a stepped sine, h1 for all else.
+        window: Length of a window (s); an eighth of the record when left out. Longer windows resolve sharper
+            resonances, shorter ones average more.
+        coherence: Least coherence of a trusted point, 0 to 1.
+        max_poles: Most poles of the transfer function, of which Schwarz's criterion chooses.
+        orders: Numbers of poles and zeros in place of a choice: 2,0 or with a delay 2,0,delay.
+        report: Keeps `report.html` with the result. Writes a page with gain, phase and coherence over
+            frequency.
+        progress: True for a line on stderr, or a function `(name, done, parts)`.
+        threads: Threads to calculate with, at most; the result is the same for any number.
+    """
+    return ask(
+        results.FrequencyResponse,
+        "frequency-response",
+        [record],
+        {
+            "input": input,
+            "output": output,
+            "method": method,
+            "window": window,
+            "coherence": coherence,
+            "max-poles": max_poles,
+            "orders": orders,
+        },
+        outputs={
+            "report": "report.html" if report else "",
+        },
+        progress=progress,
+        threads=threads,
+    )
+
+
 def friction(
     records: Sequence[Path],
     *,
@@ -1873,6 +1932,7 @@ __all__ = [
     "compensate",
     "campaign",
     "test_bench",
+    "frequency_response",
     "friction",
     "run",
 ]

@@ -331,7 +331,7 @@ fn identifier(name: &str) -> String {
 }
 
 /// Classes of a command's results, as `_results.py` has them.
-const CLASSES: [(&str, &str); 31] = [
+const CLASSES: [(&str, &str); 32] = [
     ("accuracy", "Accuracy"),
     ("advise", "Advice"),
     ("benchmark", "Benchmark"),
@@ -344,6 +344,7 @@ const CLASSES: [(&str, &str); 31] = [
     ("dynamics", "Dynamics"),
     ("evaluate", "Evaluation"),
     ("fk", "ForwardKinematics"),
+    ("frequency-response", "FrequencyResponse"),
     ("friction", "Friction"),
     ("identify", "Identification, SelfCalibration"),
     ("ik", "InverseKinematics, NoHangingPose"),

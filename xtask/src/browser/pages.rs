@@ -12,7 +12,7 @@ const NAMED: &str = "crates/cdpr-reports/src/html_page/kind.rs";
 type Maker = fn(&Path, &Path) -> Result<Vec<PathBuf>, String>;
 
 /// Every kind of page with what makes examples of it; a kind of the code without a line here fails the test.
-const KINDS: [(&str, Maker); 8] = [
+const KINDS: [(&str, Maker); 9] = [
     ("report", reports),
     ("workspace", workspaces),
     ("study", studies),
@@ -21,6 +21,7 @@ const KINDS: [(&str, Maker); 8] = [
     ("chain", chains),
     ("benchmark", benchmarks),
     ("capability", capabilities),
+    ("response", responses),
 ];
 
 /// A page in its folder.
@@ -125,6 +126,28 @@ fn capabilities(root: &Path, folder: &Path) -> Result<Vec<PathBuf>, String> {
         Ok(out)
     };
     Ok(vec![capability("planar-example", "--box=-1,1,3,5")?, capability("cogiro", "--box=-1,1,-1,1,1,2")?])
+}
+
+/// Response of a lag under a sum of sines.
+fn responses(root: &Path, folder: &Path) -> Result<Vec<PathBuf>, String> {
+    let out = made(&folder.join("response"))?;
+    let mut text = "t_s,motor_torque_Nm,tension_N\n".to_owned();
+    for row in 0..4000 {
+        let time = 0.005 * f64::from(row);
+        let (mut told, mut said) = (0.0, 0.01 * f64::from(row * 7919 % 101 - 50));
+        for k in 1..=50 {
+            let (turn, lag) = (std::f64::consts::PI * f64::from(k), 0.02 * std::f64::consts::PI * f64::from(k));
+            let phase = turn * time + 0.7 * f64::from(k * k);
+            told += phase.cos();
+            said += 5.0 * (phase - lag.atan()).cos() / 1_f64.hypot(lag);
+        }
+        text += &format!("{time:.3},{told:.6},{said:.6}\n");
+    }
+    let record = out.join("record.csv");
+    std::fs::write(&record, text).map_err(|error| format!("{}: {error}", record.display()))?;
+    let page = out.join("report.html").display().to_string();
+    cdpr(root, &["frequency-response", &record.display().to_string(), "--report", &page])?;
+    Ok(vec![out])
 }
 
 /// The folder, made where it is not there.

@@ -144,7 +144,7 @@ fn one_load_tells_the_mean_coulomb_friction_and_its_own_torque() {
     assert_near(found.loads[0].torque, 0.95 * 0.8 + 0.04, 1e-9);
     // a load that is exact makes directions differ by twice what it lacks
     let [lifting, lowering] = found.loads[0].if_exact.unwrap();
-    assert!((lifting.value - lowering.value - 2.0 * (0.8 - 0.8 * 0.95 - 0.04) * -1.0).abs() < 1e-9, "{found:?}");
+    assert!((lifting.value - lowering.value + 2.0 * (0.8 - 0.8 * 0.95 - 0.04)).abs() < 1e-9, "{found:?}");
     for key in ["coulomb_by_load", "load_scale", "load_offset_Nm", "static_Nm", "coulomb_by_direction"] {
         assert!(open(&found).contains(&key), "{key}: {:?}", open(&found));
     }
@@ -201,7 +201,7 @@ fn a_record_at_rest_tells_what_it_lacks() {
 #[test]
 fn rows_and_files_that_are_there_twice_count_once() {
     let record = TRUTH.record(&SPEEDS, &[0.2, 1.0], 5e-3);
-    let once = identify(&[record.clone()]).unwrap();
+    let once = identify(std::slice::from_ref(&record)).unwrap();
     let twice = identify(&[record.clone(), record.clone()]).unwrap();
     assert_eq!((twice.coulomb, twice.left_out.duplicates), (once.coulomb, 20));
     let mut copied = record.clone();

@@ -21,6 +21,7 @@ mod evaluate;
 mod explain;
 mod export;
 mod fk;
+mod frequency_response;
 mod friction;
 mod identify;
 mod ik;
@@ -115,6 +116,7 @@ commands! {
         compensate: Compensate,
         campaign: Campaign,
         test_bench: TestBench,
+        frequency_response: FrequencyResponse,
         friction: Friction,
     }
     "A machine in time" {

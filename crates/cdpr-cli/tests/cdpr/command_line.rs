@@ -38,6 +38,7 @@ pub(crate) const COMMANDS: &[&str] = &[
     "compensate",
     "benchmark",
     "test-bench",
+    "frequency-response",
     "friction",
     "import",
     "export",

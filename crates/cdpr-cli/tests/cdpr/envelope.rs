@@ -5,7 +5,7 @@ use std::path::Path;
 
 use serde_json::Value;
 
-use super::{Run, cdpr, cdpr_in, friction, import, running, test_bench};
+use super::{Run, cdpr, cdpr_in, frequency_response, friction, import, running, test_bench};
 
 /// A study with a remark (its machine lacks what the control model has), tolerances and sensors.
 const STUDY: &str = "[control]\nrobot = \"planar-example\"\nmodel = \"elastic\"\n[machine]\nrobot = \"planar-example\"\n[initial]\n\
@@ -22,7 +22,7 @@ const SWEEP: &str = "study = \"elastic.toml\"\nposition_error_max_m = [0.01]\nbo
                      key = \"study.limits.tension_max_N\"\nvalues = [6000, 8000]\n";
 
 /// An answer of every command, with the robot that it is about; those of one command in the order in which they can run.
-const CASES: [(&str, Option<&str>); 48] = [
+const CASES: [(&str, Option<&str>); 50] = [
     ("robots", None),
     ("robots cogiro", None),
     ("new", None),
@@ -68,6 +68,7 @@ const CASES: [(&str, Option<&str>); 48] = [
     ("run scenario.toml --out moved", Some("moving-plate")),
     ("demo --candidates standard --out demo", Some("cablerobot-simulator-helicopter")),
     ("test-bench record.csv --length 10", None),
+    ("frequency-response response.csv", None),
     ("friction winch.csv", None),
     ("import caspr plate_bodies.xml plate_cables.xml --out plate.toml", Some("plate")),
     ("export csv result", Some("planar-example")),
@@ -89,6 +90,7 @@ fn folder() -> tempfile::TempDir {
     );
     write("sweep.toml", SWEEP);
     write("record.csv", &test_bench::record());
+    write("response.csv", &frequency_response::record());
     write("winch.csv", &friction::record());
     write("scenario.toml", running::SCENARIO);
     write("plate-in-motion.toml", running::PLATE);

@@ -23,6 +23,7 @@ mod export;
 mod faults;
 mod force_tracking;
 mod frames;
+mod frequency_response;
 mod friction;
 mod hanging_robots;
 mod import;

@@ -65,6 +65,11 @@ fn a_file_of_another_kind_is_named_with_the_command_that_takes_it() {
         ),
         ("evaluate robot.toml result.json", "this is JSON", "`cdpr export csv result.json`"),
         ("evaluate robot.toml data.csv --merge robot.toml", "this is a robot file, and a table (CSV)", "`cdpr check"),
+        (
+            "frequency-response scenario.toml",
+            "this is a scenario, and a table (CSV)",
+            "`cdpr run scenario.toml --out DIR`",
+        ),
         ("test-bench robot.toml --length 1", "this is a robot file, and a table (CSV)", "`cdpr check robot.toml`"),
         ("ik robot.toml --pose 0.2,0.3 --compensation study.toml", "this is a study, and a map", "`cdpr accuracy"),
         (

@@ -5,6 +5,7 @@
 
 mod arrow;
 mod axis;
+mod bode;
 mod box_map;
 pub mod colour;
 mod colour_bar;
@@ -32,6 +33,7 @@ mod spectrum;
 mod timeline;
 mod tracking;
 
+pub use bode::{Bode, BodeCurve, BodePoint};
 pub use box_map::{BoxCell, BoxMap};
 pub use condition_cells::ConditionCells;
 pub use convergence::convergence;

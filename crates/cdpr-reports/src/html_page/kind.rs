@@ -19,6 +19,8 @@ pub(crate) enum PageKind {
     Benchmark,
     /// Payload, acceleration and speed in a box: `cdpr capability`.
     Capability,
+    /// Gain, phase and coherence over frequency: `cdpr frequency-response`.
+    Response,
 }
 
 impl PageKind {
@@ -33,6 +35,7 @@ impl PageKind {
             Self::Chain => "chain",
             Self::Benchmark => "benchmark",
             Self::Capability => "capability",
+            Self::Response => "response",
         }
     }
 }

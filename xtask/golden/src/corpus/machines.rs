@@ -6,7 +6,7 @@ use crate::group::Group;
 
 /// Groups.
 pub(crate) fn groups() -> Vec<Group> {
-    vec![twin(), laws(), test_bench(), friction(), demo()]
+    vec![twin(), laws(), test_bench(), frequency_response(), friction(), demo()]
 }
 
 /// The machine of the dissertation.
@@ -82,6 +82,24 @@ fn test_bench() -> Group {
         .call("test-bench record.csv --length 2")
 }
 
+/// A lag of 20 ms and one of 5 ms, in succession, under a sum of sines, with scatter that is the same everywhere.
+fn response() -> String {
+    let mut text = "t_s,motor_torque_Nm,tension_N\n".to_owned();
+    for row in 0..3000_u32 {
+        let time = 0.005 * f64::from(row);
+        let (mut told, mut said) = (0.0, 0.02 * f64::from(row * 7919 % 101) - 1.0);
+        for k in 1..=60_u32 {
+            let turn = std::f64::consts::PI * f64::from(k);
+            let phase = turn * time + 0.7 * f64::from(k * k);
+            let (slow, fast) = (0.02 * turn, 0.005 * turn);
+            told += phase.cos();
+            said += 5.0 * (phase - slow.atan() - fast.atan()).cos() / (1_f64.hypot(slow) * 1_f64.hypot(fast));
+        }
+        text += &format!("{time:.3},{told:.6},{said:.6}\n");
+    }
+    text
+}
+
 /// Plateaus of a winch under two loads, lifted and lowered, with friction that grows with the load and falls with speed.
 fn plateaus(loads: &[f64], directions: &[f64]) -> String {
     let mut text = "motor_speed_rad_per_s,motor_torque_Nm,load_Nm\n".to_owned();
@@ -98,6 +116,15 @@ fn plateaus(loads: &[f64], directions: &[f64]) -> String {
         }
     }
     text
+}
+
+fn frequency_response() -> Group {
+    Group::new("frequency-response")
+        .write("record.csv", &response())
+        .call("frequency-response record.csv")
+        .calls("frequency-response record.csv --orders %", &["1,0", "2,0", "2,0,delay"])
+        .call("frequency-response record.csv --window 1 --coherence 0.9")
+        .call("frequency-response record.csv --method sine")
 }
 
 fn friction() -> Group {

@@ -4,9 +4,10 @@ use cdpr_reports::AnswerSchemas;
 use cdpr_reports::answers::{
     AccuracyAnswer, AdviceAnswer, BenchmarkAnswer, CampaignAnswer, CapabilityAnswer, ChainAnswer, CheckAnswer,
     CompensationAnswer, DynamicsAnswer, EffectsAnswer, EvaluationAnswer, ExportAnswer, FirmwareAnswer, ForwardAnswer,
-    FrictionAnswer, IdentificationAnswer, ImportAnswer, InitialTensionAnswer, InverseAnswer, LoadAnswer, ModesAnswer,
-    NoHangingAnswer, PlanAnswer, RobotsAnswer, RunAnswer, SelectionAnswer, SelfCalibrationAnswer, SimulationAnswer,
-    StiffnessAnswer, StudyAnswer, TableAnswer, TensionAnswer, TestBenchAnswer, WorkspaceAnswer,
+    FrequencyResponseAnswer, FrictionAnswer, IdentificationAnswer, ImportAnswer, InitialTensionAnswer, InverseAnswer,
+    LoadAnswer, ModesAnswer, NoHangingAnswer, PlanAnswer, RobotsAnswer, RunAnswer, SelectionAnswer,
+    SelfCalibrationAnswer, SimulationAnswer, StiffnessAnswer, StudyAnswer, TableAnswer, TensionAnswer, TestBenchAnswer,
+    WorkspaceAnswer,
 };
 use cdpr_reports::cost_result::CostResult;
 use cdpr_reports::reachable::ReachableAnswer;
@@ -60,6 +61,7 @@ pub(super) fn schema() -> Schema {
         .with::<CompensationAnswer>("compensate")
         .with::<CampaignAnswer>("campaign")
         .with::<TestBenchAnswer>("test-bench")
+        .with::<FrequencyResponseAnswer>("frequency-response")
         .with::<FrictionAnswer>("friction")
         .with::<RunAnswer>("run")
         .with::<ExportAnswer>("export")
