@@ -53,6 +53,7 @@ const HEADINGS: &[(&str, &[&str])] = &[
         &["count", "plan criterion", "plan candidates", "study", "given", "tension-levels", "tension-tests", "repeats"],
     ),
     ("Data", &["sigma", "columns", "skip-invalid", "merge", "merge-gap", "static"]),
+    ("Record", &["input", "output", "frequency-response method", "window", "coherence", "max-poles", "orders"]),
     ("Validation", &["validation", "split", "regions"]),
     ("Objective", &["objective", "minimize", "loss", "rotation-length", "task", "row-weight"]),
     ("Penalties", &["path", "towards", "shrink"]),

@@ -4507,9 +4507,9 @@ class Friction(Result):
         return self._get("findings", Finding)
 
     @property
-    def interval_95(self) -> FrictionQuantities2:
+    def interval_95(self) -> FrictionIntervals:
         """95 % intervals by Student's t, under the keys of the numbers."""
-        return self._get("interval_95", FrictionQuantities2)
+        return self._get("interval_95", FrictionIntervals)
 
     @property
     def layout_version(self) -> int:
@@ -4584,9 +4584,9 @@ class Friction(Result):
         return self._find("robot")
 
     @property
-    def sigma(self) -> FrictionQuantities:
+    def sigma(self) -> FrictionSigmas:
         """Standard deviations, under the keys of the numbers; `None` where nothing tells errors."""
-        return self._get("sigma", FrictionQuantities)
+        return self._get("sigma", FrictionSigmas)
 
     @property
     def speed_max_rad(self) -> float | None:
@@ -4649,63 +4649,7 @@ class Friction(Result):
         return self._get("warnings")
 
 
-class FrictionQuantities(Result):
-    """A number of each quantity; `None` where the records do not tell it."""
-
-    __slots__ = ()
-    _KEYS: ClassVar[tuple[tuple[str, str, bool], ...]] = (
-        ("coulomb", "coulomb_Nm", True),
-        ("coulomb_by_load", "coulomb_by_load", True),
-        ("load", "load_Nm", True),
-        ("load_offset", "load_offset_Nm", True),
-        ("load_scale", "load_scale", True),
-        ("static", "static_Nm", True),
-        ("stribeck_speed_rad", "stribeck_speed_rad_per_s", True),
-        ("viscous_Nm_s_per", "viscous_Nm_s_per_rad", True),
-    )
-
-    @property
-    def coulomb(self) -> float | None:
-        """Of Coulomb friction (N·m)."""
-        return self._get("coulomb_Nm")
-
-    @property
-    def coulomb_by_load(self) -> float | None:
-        """Of its growth per torque of the load."""
-        return self._get("coulomb_by_load")
-
-    @property
-    def load(self) -> float | None:
-        """Of the torque of the load (N·m)."""
-        return self._get("load_Nm")
-
-    @property
-    def load_offset(self) -> float | None:
-        """Of the fitted torque without load (N·m)."""
-        return self._get("load_offset_Nm")
-
-    @property
-    def load_scale(self) -> float | None:
-        """Of the fitted load torque per given one."""
-        return self._get("load_scale")
-
-    @property
-    def static(self) -> float | None:
-        """Of static friction (N·m)."""
-        return self._get("static_Nm")
-
-    @property
-    def stribeck_speed_rad(self) -> float | None:
-        """Of the Stribeck speed (rad/s) (1/s)."""
-        return self._get("stribeck_speed_rad_per_s")
-
-    @property
-    def viscous_Nm_s_per(self) -> float | None:
-        """Of friction per speed (N·m·s/rad) (rad)."""
-        return self._get("viscous_Nm_s_per_rad")
-
-
-class FrictionQuantities2(Result):
+class FrictionIntervals(Result):
     """A number of each quantity; `None` where the records do not tell it."""
 
     __slots__ = ()
@@ -4757,6 +4701,62 @@ class FrictionQuantities2(Result):
 
     @property
     def viscous_Nm_s_per(self) -> tuple[float, float] | None:
+        """Of friction per speed (N·m·s/rad) (rad)."""
+        return self._get("viscous_Nm_s_per_rad")
+
+
+class FrictionSigmas(Result):
+    """A number of each quantity; `None` where the records do not tell it."""
+
+    __slots__ = ()
+    _KEYS: ClassVar[tuple[tuple[str, str, bool], ...]] = (
+        ("coulomb", "coulomb_Nm", True),
+        ("coulomb_by_load", "coulomb_by_load", True),
+        ("load", "load_Nm", True),
+        ("load_offset", "load_offset_Nm", True),
+        ("load_scale", "load_scale", True),
+        ("static", "static_Nm", True),
+        ("stribeck_speed_rad", "stribeck_speed_rad_per_s", True),
+        ("viscous_Nm_s_per", "viscous_Nm_s_per_rad", True),
+    )
+
+    @property
+    def coulomb(self) -> float | None:
+        """Of Coulomb friction (N·m)."""
+        return self._get("coulomb_Nm")
+
+    @property
+    def coulomb_by_load(self) -> float | None:
+        """Of its growth per torque of the load."""
+        return self._get("coulomb_by_load")
+
+    @property
+    def load(self) -> float | None:
+        """Of the torque of the load (N·m)."""
+        return self._get("load_Nm")
+
+    @property
+    def load_offset(self) -> float | None:
+        """Of the fitted torque without load (N·m)."""
+        return self._get("load_offset_Nm")
+
+    @property
+    def load_scale(self) -> float | None:
+        """Of the fitted load torque per given one."""
+        return self._get("load_scale")
+
+    @property
+    def static(self) -> float | None:
+        """Of static friction (N·m)."""
+        return self._get("static_Nm")
+
+    @property
+    def stribeck_speed_rad(self) -> float | None:
+        """Of the Stribeck speed (rad/s) (1/s)."""
+        return self._get("stribeck_speed_rad_per_s")
+
+    @property
+    def viscous_Nm_s_per(self) -> float | None:
         """Of friction per speed (N·m·s/rad) (rad)."""
         return self._get("viscous_Nm_s_per_rad")
 

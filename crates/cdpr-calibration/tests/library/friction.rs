@@ -137,7 +137,8 @@ fn plateaus_are_found_in_samples_with_cogging_and_ramps() {
     for seed in property::seeds(40) {
         let found = identify(&[samples(0.196, 2 * seed), samples(0.981, 2 * seed + 1)]).unwrap();
         assert_eq!(found.directions, [8, 8], "{seed}: {:?}", found.left_out);
-        assert!(found.left_out.at_rest > 100 && found.left_out.accelerating > 100, "{:?}", found.left_out);
+        // of 530 rows at rest many are too noisy to be told from ramps: neither is used
+        assert!(found.left_out.at_rest > 20 && found.left_out.accelerating > 100, "{:?}", found.left_out);
         let truths = [SMOOTH[0], SMOOTH[1], SMOOTH[2], SMOOTH[3], SMOOTH[4]];
         let told = [found.load_scale, found.load_offset, found.coulomb, found.coulomb_by_load, found.viscous];
         for (figure, truth) in told.into_iter().zip(truths) {

@@ -180,6 +180,6 @@ mod tests {
         assert!(command.get_subcommands().map(clap::Command::get_name).eq(words.iter().map(String::as_str)));
         let plain = listed(&command.styles(clap::builder::Styles::plain()), 60);
         assert!(plain.lines().all(|line| line.chars().count() <= 60), "{plain}");
-        assert!(plain.contains("\nOne pose:\n  ik               Inverse kinematics: cable lengths,\n"), "{plain}");
+        assert!(plain.contains("\nOne pose:\n  ik                  Inverse kinematics: cable lengths,\n"), "{plain}");
     }
 }

@@ -152,8 +152,8 @@ fn files_are_of_the_kind_that_is_read() {
 /// A list of another name or type than those known would be proposed nothing.
 #[test]
 fn every_argument_has_values_unless_nobody_can_know_them() {
-    const FREE: [&str; 12] =
-        ["NAME", "NAME=COLUMN,…", "NAME=1,3,…", "i/n", "BOX", "N", "K", "SEED", "COUNT", "RADIUS", "S", "P"];
+    const FREE: [&str; 13] =
+        ["COLUMN", "NAME", "NAME=COLUMN,…", "NAME=1,3,…", "i/n", "BOX", "N", "K", "SEED", "COUNT", "RADIUS", "S", "P"];
     fn check(command: &Command, missing: &mut Vec<String>) {
         for argument in command.get_arguments().filter(|one| one.get_action().takes_values()) {
             let of_text = argument.get_value_parser().type_id() == std::any::TypeId::of::<String>();

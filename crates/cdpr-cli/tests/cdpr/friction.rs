@@ -91,7 +91,7 @@ fn records_that_will_not_do_are_answered_by_what_to_do() {
         (whole.replace("motor_torque_Nm", "torque"), "csv::missing-column", "motor_torque_Nm"),
         (whole.replacen("3,0.", "NaN,0.", 1), "csv::not-a-number", "winch.csv:2:1"),
         (constant, "record::constant-torque", "a commanded torque"),
-        (turned, "csv::direction", "winch.csv:2:14"),
+        (turned, "csv::direction", "winch.csv:2:8"),
         ("motor_speed_rad_per_s,motor_torque_Nm\n".to_owned(), "csv::no-rows", "no rows"),
     ] {
         let (folder, _) = file_with("winch.csv", text.as_bytes());

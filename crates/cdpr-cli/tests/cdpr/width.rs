@@ -32,6 +32,8 @@ fn with_files_of_readers(folder: &Path) {
         let made = cdpr_in(folder, command);
         assert_eq!(made.exit_code, 0, "{}", made.stderr);
     }
+    std::fs::write(folder.join("winch.csv"), super::friction::record()).unwrap();
+    std::fs::write(folder.join("record.csv"), super::frequency_response::record()).unwrap();
     for (file, copy) in [("my-robot/robot.toml", "robot.toml"), ("samples.csv", "measurements.csv")] {
         std::fs::copy(folder.join(file), folder.join(copy)).unwrap();
     }

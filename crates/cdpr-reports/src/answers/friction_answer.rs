@@ -14,7 +14,7 @@ use crate::keys::WarningKeys;
 /// A number of each quantity; null where the records do not tell it.
 #[derive(Serialize, JsonSchema)]
 #[expect(non_snake_case, reason = "keys carry their units")]
-#[schemars(rename = "FrictionQuantities")]
+#[schemars(rename = "Friction{T}")]
 struct Quantities<T> {
     /// Of the torque of the load (N·m).
     load_Nm: Option<T>,
@@ -33,6 +33,18 @@ struct Quantities<T> {
     /// Of the Stribeck speed (rad/s).
     stribeck_speed_rad_per_s: Option<T>,
 }
+
+/// Standard deviation, in the schema.
+#[derive(JsonSchema)]
+#[schemars(inline, rename = "Sigmas")]
+#[expect(dead_code, reason = "names the numbers in the schema")]
+struct Sigma(f64);
+
+/// Ends of an interval, in the schema.
+#[derive(JsonSchema)]
+#[schemars(inline, rename = "Intervals")]
+#[expect(dead_code, reason = "names the numbers in the schema")]
+struct Interval([f64; 2]);
 
 impl<T> Quantities<T> {
     fn of(solution: &Solution, told: impl Fn(&Figure) -> Option<T>) -> Self {
@@ -213,10 +225,10 @@ pub struct FrictionAnswer {
     /// Root mean square of recorded minus fitted torques of plateaus (N·m).
     rms_Nm: f64,
     /// Standard deviations, under the keys of the numbers; null where nothing tells errors.
-    #[schemars(with = "Quantities<f64>")]
+    #[schemars(with = "Quantities<Sigma>")]
     sigma: Quantities<f64>,
     /// 95 % intervals by Student's t, under the keys of the numbers.
-    #[schemars(with = "Quantities<[f64; 2]>")]
+    #[schemars(with = "Quantities<Interval>")]
     interval_95: Quantities<[f64; 2]>,
     /// Degrees of freedom of the intervals: plateaus beyond the numbers fitted, or blocks of samples where these tell the errors.
     degrees_of_freedom: usize,
