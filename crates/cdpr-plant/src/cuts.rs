@@ -34,7 +34,7 @@ const SWITCH: f64 = 1e-10;
 /// Distance below which two switches are one (fraction of the stages).
 const SAME: f64 = 1e-8;
 
-/// What changes its side.
+/// A quantity that changes its side.
 #[derive(Clone, Copy, Debug, PartialEq)]
 enum Side {
     /// The sum of law and damper of a cable.
@@ -54,7 +54,7 @@ struct Changes {
     drum_turns: Option<(Side, f64)>,
 }
 
-/// Where the stages are cut (fraction of their time).
+/// Place of a cut (fraction of the stages).
 #[derive(Clone, Copy, Debug)]
 enum Cut {
     /// At the present state.

@@ -15,7 +15,7 @@ use super::pulls::elongation_rate;
 use super::state::PlantState;
 use cdpr_model::geometry::{Pose, Twist, Wrench};
 
-/// What a series leaves out, as a share of the change of the speeds (norm of kinetic energy).
+/// Remainder of a series, as a share of the change of the speeds (norm of kinetic energy).
 const REMAINDER: f64 = 1e-12;
 
 /// Most terms of a series: enough for t ‖K‖ = 1.

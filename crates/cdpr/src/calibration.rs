@@ -40,7 +40,7 @@ pub mod friction {
     //! Friction of a winch from records at constant speeds.
 
     #[doc(inline)]
-    pub use cdpr_calibration::friction::{Figure, InputError, Record, Solution, identify};
+    pub use cdpr_calibration::friction::{Record, Solution, identify};
 }
 
 pub mod selection {
