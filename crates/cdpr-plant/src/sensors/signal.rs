@@ -58,27 +58,33 @@ impl Noise {
 pub(super) struct LowPass {
     /// Cut-off frequency (Hz); without one the input passes unchanged.
     cut_off: Option<f64>,
-    value: Option<f64>,
+    /// Output and input at the end of the last step.
+    last: Option<[f64; 2]>,
 }
 
 impl LowPass {
     pub(super) fn new(cut_off: Option<f64>) -> Self {
-        Self { cut_off, value: None }
+        Self { cut_off, last: None }
     }
 
-    /// Updates the filter with an input that was held over a time (s).
+    /// Updates the filter with an input that went on a line from its last value to this one over a time (s): exact for it, u₁ − (u₁ − u₀) (1 − e⁻ˣ)/x
+    /// + (y₀ − u₀) e⁻ˣ with x = ω t.
     pub(super) fn pass(&mut self, input: f64, time: f64) {
-        self.value = Some(match (self.cut_off, self.value) {
-            (Some(cut_off), Some(value)) => {
-                value + (input - value) * -(-std::f64::consts::TAU * cut_off * time).exp_m1()
+        let output = match (self.cut_off, self.last) {
+            (Some(cut_off), Some([output, before])) => {
+                let angle = std::f64::consts::TAU * cut_off * time;
+                let faded = -(-angle).exp_m1();
+                let lag = if angle > 0.0 { faded / angle } else { 1.0 };
+                input - (input - before) * lag + (output - before) * (1.0 - faded)
             }
             _ => input,
-        });
+        };
+        self.last = Some([output, input]);
     }
 
     /// Present output; 0 before any input.
     pub(super) fn output(&self) -> f64 {
-        self.value.unwrap_or(0.0)
+        self.last.map_or(0.0, |last| last[0])
     }
 }
 

@@ -169,12 +169,18 @@ fn clocks_and_low_passes_keep_their_time() {
     assert_eq!(read, 31, "thirty a second and the first");
     let mut filter = LowPass::new(Some(5.0));
     filter.pass(0.0, 1e-3);
-    for _ in 0..1000 {
-        filter.pass(1.0, 1e-3);
+    for step in 1..=100 {
+        filter.pass(1e-3 * f64::from(step), 1e-3);
     }
-    let after = |time: f64| 1.0 - (-std::f64::consts::TAU * 5.0 * time).exp();
-    filter.pass(1.0, 1e-3);
-    assert!((filter.output() - after(1.001)).abs() < 1e-12);
+    // a ramp, and a step after it; a jump between two looks counts as a line
+    let omega = std::f64::consts::TAU * 5.0;
+    let ramp = |time: f64| time - (1.0 - (-omega * time).exp()) / omega;
+    assert!((filter.output() - ramp(0.1)).abs() < 1e-14, "{} {}", filter.output(), ramp(0.1));
+    filter.pass(1.0, 0.0);
+    assert!((filter.output() - ramp(0.1)).abs() < 1e-14);
+    (0..100).for_each(|_| filter.pass(1.0, 1e-3));
+    let expected = 1.0 + (ramp(0.1) - 1.0) * (-omega * 0.1).exp();
+    assert!((filter.output() - expected).abs() < 1e-14, "{} {expected}", filter.output());
 }
 
 #[test]
