@@ -311,8 +311,8 @@ proptest! {
     }
 }
 
+// a selection takes as long as all the rest together: fewer cases
 proptest! {
-    // a selection takes as long as all the rest together
     #![proptest_config(property::cases(16))]
 
     #[test]
