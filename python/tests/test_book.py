@@ -16,6 +16,7 @@ from functools import lru_cache
 from pathlib import Path
 
 from support import ROOT, STUDIES, command, demo
+from test_answers import winch_record
 
 BOOK = ROOT / "docs" / "book" / "src"
 FENCE = re.compile(r"^```python\n(.*?)^```$", re.DOTALL | re.MULTILINE)
@@ -37,6 +38,7 @@ def files() -> Path:
     for name in ("samples", "measurements"):
         shutil.copy(demo() / "training.csv", folder / f"{name}.csv")
         shutil.copy(demo() / "training.meta.toml", folder / f"{name}.meta.toml")
+    shutil.copy(winch_record(), folder)
     subprocess.run([command(), "new", "suspended-camera", "--out", folder / "my-robot"], check=True, capture_output=True)
     return folder
 

@@ -12,7 +12,7 @@ import numpy as np
 import numpy.typing as npt
 
 from . import _answers
-from ._answers import Capability as Capability, Chain as Chain, Dynamics as Dynamics, Evaluation as Evaluation, Explanation as Explanation, ForwardKinematics as ForwardKinematics, Friction as Friction, InitialTensions as InitialTensions, InverseKinematics as InverseKinematics, ModelEffects as ModelEffects, NoHangingPose as NoHangingPose, PlatformLoad as PlatformLoad, RobotCheck as RobotCheck, Stiffness as Stiffness, Study as Study, SweepProgress as SweepProgress, Tensions as Tensions, TestBench as TestBench
+from ._answers import Capability as Capability, Chain as Chain, Dynamics as Dynamics, Evaluation as Evaluation, Explanation as Explanation, ForwardKinematics as ForwardKinematics, FrequencyResponse as FrequencyResponse, Friction as Friction, InitialTensions as InitialTensions, InverseKinematics as InverseKinematics, ModelEffects as ModelEffects, NoHangingPose as NoHangingPose, PlatformLoad as PlatformLoad, RobotCheck as RobotCheck, Stiffness as Stiffness, Study as Study, SweepProgress as SweepProgress, Tensions as Tensions, TestBench as TestBench
 from ._arrays import Array
 from ._documents import Scenario
 from ._documents import Study as StudyFile
