@@ -29,6 +29,8 @@ pub(crate) fn wheel(root: &Path, folder: &Path, words: &[&str]) -> Result<(), St
     let python = environment(root)?;
     let mut maturin = Command::new(&python);
     maturin.args(["-m", "maturin", "build", "--quiet", "--release", "--locked", "--out"]).arg(folder).args(words);
+    // the module ziglang of this Python is asked for where there is no zig on the path
+    maturin.env("CARGO_ZIGBUILD_PYTHON_PATH", &python);
     run(as_cargo(root, maturin))
 }
 
