@@ -62,10 +62,10 @@ impl Newcomer {
 
 const ROBOT: &str = include_str!("../../studies/robots/simulator-in-motion.toml");
 
-/// What is changed in the file of a cable.
+/// Change of a cable of the robot file.
 type Change = fn(&mut Cable);
 
-/// What damps: nothing, cables, cables and drums with friction by speed, the same and Coulomb's friction, at which drums switch some sixty times.
+/// Machines by their damping: nothing, cables, cables and drums with friction by speed, the same and Coulomb's friction, at which drums switch some sixty times.
 const LET_GO: &[(&str, Winches, Change)] = &[
     ("undamped", Winches::Ideal, |cable| cable.damping_time = None),
     ("damped", Winches::Ideal, |_| {}),

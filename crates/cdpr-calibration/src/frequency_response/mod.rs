@@ -89,7 +89,7 @@ pub struct Model {
     pub transfer: Transfer,
     /// Its gain at zero frequency, extrapolated below the band.
     pub gain: Banded,
-    /// Its delay (s); `None` where none is told.
+    /// Its delay (s); `None` for a model without one.
     pub delay: Option<Banded>,
     /// Its poles, slowest first.
     pub poles: Vec<Root>,
@@ -124,7 +124,7 @@ pub struct Solution {
     pub points: Vec<Point>,
     /// Windows averaged; 0 for a stepped sine.
     pub windows: usize,
-    /// Distance of frequencies that are told apart (Hz).
+    /// Resolution of frequencies (Hz).
     pub resolution: f64,
     /// Length of the record (s).
     pub duration: f64,
@@ -140,7 +140,7 @@ pub struct Solution {
     pub trusted_share: f64,
     /// Fitted function; `None` where points are too few.
     pub model: Option<Model>,
-    /// Gain of the model at the lowest trusted frequency, which cut-off and peak are told against.
+    /// Gain of the model at the lowest trusted frequency: the reference of cut-off and peak.
     pub reference_gain: Option<Banded>,
     /// First frequency (Hz) of a gain 3 dB below that; `None` outside the band and in an answer that is not to be trusted.
     pub cutoff: Option<Banded>,

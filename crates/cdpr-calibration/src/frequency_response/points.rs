@@ -38,7 +38,7 @@ pub(super) struct Points {
     pub(super) fitted: Vec<usize>,
     /// For each of these, the covariance of its error with that of the next one, E(e eʹ*); 0 behind the last.
     pub(super) next: Vec<Complex<f64>>,
-    /// Distance of frequencies that are told apart (Hz).
+    /// Resolution of frequencies (Hz).
     pub(super) resolution: f64,
 }
 

@@ -7,8 +7,8 @@
 pub struct Record {
     /// Times (s), rising by equal steps.
     pub times: Vec<f64>,
-    /// Input that the machine is told, as the torque of a motor (N·m), at each time; taken as free of noise.
+    /// Commanded input, as the torque of a motor (N·m), at each time; taken as free of noise.
     pub input: Vec<f64>,
-    /// Output that it answers, as the tension of a cable (N), at each time.
+    /// Measured output, as the tension of a cable (N), at each time.
     pub output: Vec<f64>,
 }

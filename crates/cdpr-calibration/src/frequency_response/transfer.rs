@@ -9,7 +9,7 @@ use std::fmt;
 pub struct Transfer {
     /// Gain at zero frequency (output's unit per input's unit).
     pub gain: f64,
-    /// Delay (s); 0 where none is told.
+    /// Delay (s); 0 for a model without one.
     pub delay: f64,
     /// Coefficients of D from the first power on, in `s / unit`.
     pub(super) denominator: Vec<f64>,

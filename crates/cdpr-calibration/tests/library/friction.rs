@@ -71,7 +71,7 @@ fn intervals_of_friction_hold_the_truth() {
     assert_coverage(&quantities, |seed| plateaus(&SMOOTH, &[3.1, 6.2, 15.4, 24.8], &[0.196, 0.981], 5e-3, seed));
 }
 
-/// Friction that falls with speed is told in every record; its law is not linear, and intervals are those of its linearization.
+/// Friction that falls with speed is found in every record; its law is not linear, and intervals are those of its linearization.
 #[test]
 fn intervals_of_friction_that_falls_with_speed_hold_the_truth() {
     let quantities: [(&str, Told, f64); 6] = [
@@ -225,7 +225,7 @@ fn a_measured_winch_has_the_friction_of_an_independent_fit() {
     assert!(found.standing.is_none() && found.doubts().is_empty(), "{:?}", found.doubts());
 }
 
-/// What a search of constant speeds finds in the samples is what their author's means tell, within two deviations.
+/// Plateaus found in the samples give the numbers of their author's means, within two deviations.
 #[test]
 fn samples_of_a_measured_winch_tell_the_same_as_its_plateaus() {
     for (mass, load, coulomb) in [("5", [0.9535, 0.0018], [0.0740, 0.0031]), ("1", [0.2267, 0.0015], [0.0494, 0.0029])]

@@ -73,7 +73,7 @@ fn a_delay_is_found() {
     assert!((delay.value - 5e-3).abs() < 4.0 * delay.sigma && delay.sigma < 2e-4, "{delay:?}");
 }
 
-/// A zero on the right is told; a stepped sine is recognised, and its points are those of the closed form.
+/// A zero on the right is a remark; a stepped sine is recognised, and its points are those of the closed form.
 #[test]
 fn a_stepped_sine_is_recognised_and_a_zero_on_the_right_is_told() {
     let frequencies: Vec<f64> = (0..24).map(|k| 0.8 * 1.18_f64.powi(k)).collect();
